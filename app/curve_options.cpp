@@ -422,6 +422,29 @@ ComputedCurves makeCurveSet(const CurveArguments& arguments, const ComparedScene
   return curves;
 }
 
+namespace {
+
+/// Returns the points of a table of measured friction, with the friction that was computed at them.
+nlohmann::ordered_json measuredPoints(const MeasuredCurve& measured) {
+  auto points = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < measured.data.points.size(); ++i) {
+    const MeasuredPoint& point = measured.data.points[i];
+    const double mu = i < measured.computed.size() ? totalMu(measured.computed[i]) : kNotApplicable;
+    points.push_back({{"velocity", point.velocity},
+                      {"mu_measured", point.mu},
+                      {"mu_error", numberOrNull(point.muError)},
+                      {"normal_force", numberOrNull(point.normalForce)},
+                      {"nominal_pressure", numberOrNull(point.nominalPressure)},
+                      {"temperature", numberOrNull(point.temperature)},
+                      {"label", point.label},
+                      {"mu", numberOrNull(mu)},
+                      {"measured_over_computed", numberOrNull(point.mu / mu)}});
+  }
+  return points;
+}
+
+}  // namespace
+
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   for (const NamedCurve& curve : set.pinned) {
     const std::vector<CurvePoint>* const curves[] = {&curve.points};
@@ -446,6 +469,9 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
                                   {"range", entry.range},
                                   {"points", std::move(points)}});
   }
+  for (const MeasuredCurve& measured : set.measured)
+    answer["measured"].push_back(
+        {{"name", measured.data.name}, {"points", measuredPoints(measured)}});
   if (!set.difference) return;
   auto points = nlohmann::ordered_json::array();
   for (const DifferencePoint& point : set.difference->points)

@@ -13,8 +13,8 @@
 #include "core/run/frame.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
-#include "ui/draw/png_file.h"
 
 namespace CLI {
 class App;

@@ -20,7 +20,7 @@
 #include "core/scene/sweep.h"
 #include "core/surface/measured_summary.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 

@@ -29,7 +29,7 @@
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

@@ -18,10 +18,10 @@
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/chart/figure_drawing.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
 namespace {

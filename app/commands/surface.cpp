@@ -23,7 +23,7 @@
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 

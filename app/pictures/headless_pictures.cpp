@@ -9,8 +9,6 @@
 #include "app/pictures/eps_file.h"
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/pdf_file.h"
-#include "ui/draw/svg_file.h"
 #include "ui/draw/tiff_file.h"
 
 namespace asperity {
@@ -50,17 +48,12 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
   const std::string extension = fileExtension(file);
   if (extension == ".png")
     writePng(file, list, properties);
-  else if (extension == ".svg")
-    writeSvg(file, list,
-             {.title = properties.title,
-              .metadata = properties.metadata,
-              .millimetres = properties.isOnPaper ? 25.4 / (96 * properties.scale) : 0});
-  else if (extension == ".pdf")
-    writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
+  else if (extension == ".svg" || extension == ".pdf")
+    writePicture(file, list, properties);
   else if (extension == ".eps")
-    writeEps(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
+    writeEps(file, list, pdfOptions(properties));
   else if (extension == ".tif" || extension == ".tiff")
-    writeTiff(file, draw(list), {properties.title, properties.metadata, 96 * properties.scale});
+    writeTiff(file, draw(list), pngOptions(properties));
   else
     throw unknownExtension(file, extension, kPictureExtensions);
 }
@@ -70,7 +63,7 @@ void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
   QImage image = draw(list);
   finish();
   writing_ = std::async(std::launch::async, [file, properties, image = std::move(image)] {
-    asperity::writePng(file, image, {properties.title, properties.metadata, 96 * properties.scale});
+    asperity::writePng(file, image, pngOptions(properties));
   });
 }
 

@@ -11,8 +11,8 @@
 #include <memory>
 #include <string>
 
+#include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
-#include "ui/draw/png_file.h"
 
 class QGuiApplication;
 

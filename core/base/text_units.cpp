@@ -42,7 +42,9 @@ constexpr std::array kLengths{
     NamedLength{"nanometer nanometre nanom\u00E8tre \u043D\u043C \u7EB3\u7C73 \u339A", 1e-9},
     NamedLength{"a \u212B angstrom \u00E5ngstr\u00F6m", 1e-10},
     NamedLength{"inche zoll \"", 0.0254}, NamedLength{"thou", 2.54e-5},
-    NamedLength{"uin \u00B5in \u03BCin microinch microinche", 2.54e-8},
+    NamedLength{"uin \u00B5in \u03BCin microinch microinche uinch uinche \u00B5inch \u00B5inche "
+                "\u03BCinch \u03BCinche",
+                2.54e-8},
     NamedLength{"foot feet", 0.3048}, NamedLength{"yd", 0.9144}};
 
 std::optional<double> namedLength(std::string_view unit) {

@@ -69,7 +69,7 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   result.mu = normal != 0 ? tangential / normal : kNotANumber;
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
   // A closed line has as many contact spots as gaps.
-  result.contactSpots = sums.contactLength > 0 ? std::max(sums.freeStretches, 1.0) : 0;
+  result.contactSpots = sums.contactLength > 0 ? std::max(sums.gaps, 1.0) : 0;
   result.rmsSlopeContact =
       sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotANumber;
   result.powerIn = stiffness * sums.work * conditions.velocity;

@@ -233,6 +233,11 @@ bool isScatter(const std::string& name) {
          (word.starts_with('s') && quantityNamed(word.substr(1)) == Quantity::Mu);
 }
 
+bool isErrorOfMean(const std::string& name) {
+  return hasOneOf(nameWords(name), "sem se") ||
+         containsOneOf(plainWord(name), "standarderr stderr standardfehler errorofthemean");
+}
+
 bool isShareUnit(std::string_view unit) {
   if (!unit.starts_with('%')) return false;
   const std::string word = plainWord(unit);

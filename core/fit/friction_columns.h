@@ -72,6 +72,8 @@ bool isRelativeError(const std::string& name);
 /// Returns whether the name of an error is that of the scatter of single values, such as "SD", and
 /// not of the error of their mean.
 bool isScatter(const std::string& name);
+/// Returns whether the name of an error says that it is that of the mean, such as "SEM".
+bool isErrorOfMean(const std::string& name);
 /// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
 bool isShareUnit(std::string_view unit);
 

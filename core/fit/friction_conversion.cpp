@@ -52,9 +52,9 @@ FrictionConversion unscaledConversion(FrictionQuantity quantity, const TextColum
                  ? share
                  : unitOf("m/s", unitNames("m/s") + ", %");
     case FrictionQuantity::Force:
-      return unitOf("N", "N, mN, uN, kN");
+      return unitOf("N", unitNames("N") + ", mN, uN, kN");
     case FrictionQuantity::Pressure:
-      return unitOf("Pa", "Pa, kPa, MPa, bar");
+      return unitOf("Pa", unitNames("Pa"));
     case FrictionQuantity::Mu:
       return isPureUnit(column.unit) ? FrictionConversion{} : unitOf("", "1, %");
     case FrictionQuantity::MuError:

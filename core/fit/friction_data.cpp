@@ -32,6 +32,45 @@ bool hasFriction(const TextBlock& block) {
   return hasVelocity && hasMu;
 }
 
+/// Returns whether a block is a list of names and numbers, as "Load [N];75" below "Compound;A12",
+/// where the third column may have units.
+bool isList(const TextBlock& block) {
+  const std::size_t count = block.columns.size();
+  return (count == 2 || (count == 3 && block.columns[2].isText)) && block.columns[0].isText &&
+         !block.columns[1].isText;
+}
+
+/// Returns the lines of a list as they would stand above a table.
+std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
+  std::vector<TextEntry> entries = list.header;
+  for (std::size_t row = 0; row < list.rows; ++row) {
+    if (std::isnan(list.at(row, 1))) continue;
+    std::string value = plain(list.at(row, 1)).text;
+    std::ranges::replace(value, '.', decimal);
+    if (row < list.cells[1].size() && !list.cells[1][row].text.empty())
+      value = list.cells[1][row].text;
+    if (list.columns.size() == 3) appendItem(value, list.texts[2][row], " ");
+    const std::string& key = list.texts[0][row];
+    entries.push_back({key, value, list.lines[row], key + ": " + value});
+  }
+  return entries;
+}
+
+/// Moves lists of names and numbers into the header of the table of friction below them.
+void moveListsAbove(TextTable& table) {
+  std::vector<TextBlock>& blocks = table.blocks;
+  for (std::size_t i = 0; i + 1 < blocks.size();) {
+    const auto below = blocks.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    if (!isList(blocks[i]) || std::none_of(below, blocks.end(), hasFriction)) {
+      ++i;
+      continue;
+    }
+    std::vector<TextEntry> entries = listedEntries(blocks[i], table.dialect.decimal);
+    below->header.insert(below->header.begin(), entries.begin(), entries.end());
+    blocks.erase(below - 1);
+  }
+}
+
 /// Reads the blocks of a text and prepares their columns.
 TextTable readTable(std::string_view bytes, const std::string& name) {
   TextTableOptions options;
@@ -43,6 +82,7 @@ TextTable readTable(std::string_view bytes, const std::string& name) {
     return findMeaning(quantity, kAnyUnit).has_value();
   });
   for (TextBlock& block : table.blocks) prepareColumns(block);
+  moveListsAbove(table);
   return table;
 }
 

@@ -191,6 +191,13 @@ std::string withoutFillers(std::string_view text) {
   return kept;
 }
 
+/// Returns whether a statement may be about the weight that presses the rubber: "Weight: 5 kg".
+bool isDeadWeight(std::string_view key, std::string_view unit) {
+  return plainWord(unit) == "kg" &&
+         isOneOf(plainWord(key),
+                 "weight deadweight mass gewicht auflagegewicht auflast masse belastung");
+}
+
 /// Reads one statement, such as "Load = 30 N", "T 23 °C" and "Conditions: p [MPa] = 0.2". Nothing
 /// where it has no name, no number, or names another quantity; without a quantity where it has a
 /// unit of a load or temperature and is not understood. A velocity counts where it is understood.
@@ -225,9 +232,15 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   if (!remark.empty()) name.name += " " + remark;
   const auto quantity = findMeaning(name.name, unit), ofUnit = quantityOfUnit(unit);
   const bool isVelocity = quantity == FrictionQuantity::Velocity;
-  if (quantity ? !isLoad(quantity) && !isVelocity : !isLoadName && !ofUnit && !mayBeLoad) return {};
+  const bool mayBeWeight = isDeadWeight(key, value->remark);
+  if (quantity ? !isLoad(quantity) && !isVelocity
+               : !isLoadName && !ofUnit && !mayBeLoad && !mayBeWeight)
+    return {};
   HeaderStatement statement;
-  statement.candidate = ofUnit ? ofUnit : isLoadName ? named : ofLastWord;
+  statement.candidate = ofUnit        ? ofUnit
+                        : isLoadName  ? named
+                        : mayBeWeight ? FrictionQuantity::Force
+                                      : ofLastWord;
   const std::vector<std::string> headings = nameWords(std::string(front));
   const bool isOfTable =
       std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;

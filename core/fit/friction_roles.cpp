@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/fit/friction_preparation.h"
@@ -63,6 +64,8 @@ class FrictionRoleFinder {
     for (std::size_t i = 0; i < block_.columns.size(); ++i) {
       const TextColumn& column = block_.columns[i];
       if (const auto quantity = findMeaning(column)) {
+        if (*quantity == Quantity::MuError && isScatter(column.name) && hasErrorOfMean()) continue;
+        if (isFrictionInNewtons(column)) continue;
         if (isClear(column, *quantity) || !hasClearColumn(*quantity)) add(*quantity, i);
       } else {
         refuseUnknownUnit(column);
@@ -149,11 +152,12 @@ class FrictionRoleFinder {
   void findFrictionForce() {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (isOneOf(plainWord(block_.columns[i].name),
-                  "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
-                  "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
-                  "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
-                  "fuerzaderozamiento fuerzatangencial") &&
+      if ((isFrictionInNewtons(block_.columns[i]) ||
+           isOneOf(plainWord(block_.columns[i].name),
+                   "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
+                   "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
+                   "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
+                   "fuerzaderozamiento fuerzatangencial")) &&
           !block_.columns[i].isText)
         found.push_back(i);
     if (found.size() != 1) return;
@@ -174,10 +178,17 @@ class FrictionRoleFinder {
                  index + 1)});
   }
 
+  /// Returns whether a column has the force of friction by its unit: "Friction (N)".
+  static bool isFrictionInNewtons(const TextColumn& column) {
+    return isOneOf(plainWord(column.name), "friction reibung frottement attrito") &&
+           measures(column.unit, Quantity::Force);
+  }
+
   /// Returns whether a column names the quantity by more than an ambiguous letter, and a velocity
   /// as that of sliding.
   static bool isClear(const TextColumn& column, Quantity quantity) {
-    return !isAmbiguousName(column.name) && !findErrorScale(column) &&
+    return !isAmbiguousName(column.name) &&
+           (!findErrorScale(column) || isErrorOfMean(column.name)) &&
            (quantity != Quantity::Velocity || isNameOfSliding(column.name));
   }
 
@@ -185,6 +196,15 @@ class FrictionRoleFinder {
   bool hasClearColumn(Quantity quantity) const {
     return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
       return findMeaning(column) == quantity && isClear(column, quantity);
+    });
+  }
+
+  /// Returns whether a column has the standard error of friction, beside which its standard
+  /// deviation is not needed.
+  bool hasErrorOfMean() const {
+    return std::ranges::any_of(block_.columns, [](const TextColumn& column) {
+      return isErrorOfMean(column.name) && !column.errorsOf &&
+             findMeaning(column) == Quantity::MuError;
     });
   }
 
@@ -344,6 +364,51 @@ void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
   }
 }
 
+namespace {
+
+bool isSlip(const std::string& name) {
+  return hasOneOf(nameWords(name),
+                  "slip schlupf slipangle slipratio sliprate schr\u00E4glauf schr\u00E4glaufwinkel "
+                  "schraeglaufwinkel");
+}
+
+/// Returns whether a line above the table states the slip of a wheel: "Slip angle: 15 deg".
+bool statesSlip(const TextEntry& entry) {
+  const std::string text = joinEntry(entry);
+  const std::string name = text.substr(0, std::min(text.find_first_of("0123456789"), text.size()));
+  const bool isOfWheel = !hasOneOf(nameWords(name), "stick distance length path weg");
+  return isSlip(name) && isOfWheel && name.size() < text.size() &&
+         findMeaning(parseColumnName(entry.key)) != Quantity::Velocity;
+}
+
+/// Throws InputError for a velocity beside a slip: it is that of the wheel or the vehicle, unless
+/// its name says otherwise.
+void refuseVelocityOfWheel(const TextBlock& block, const FrictionRoles& roles,
+                           const std::string& name) {
+  const auto column = std::ranges::find_if(block.columns, [](const TextColumn& one) {
+    return isSlip(one.name) && findMeaning(one) != Quantity::Velocity;
+  });
+  const auto line = std::ranges::find_if(block.header, statesSlip);
+  const auto refuse = [&](const Message& what) {
+    if (column != block.columns.end())
+      throw InputError(name, "", message("column {}: {}", shortened(column->name), what));
+    if (line != block.header.end())
+      throw InputError(name, "", message("line {}: {}", line->line, what));
+  };
+  const FrictionRole* velocity = roles.find(Quantity::Velocity);
+  if (!velocity)
+    refuse(
+        "with a slip, the velocity of sliding is not the one above the table; give it for each row "
+        "in a column, as in \"v (m/s)\"");
+  else if (!isNameOfSliding(block.columns[velocity->index].name))
+    refuse(
+        message("with a slip, the velocity of sliding may not be that of column {}; name that "
+                "column sliding velocity where it is, or give the velocity of sliding",
+                shortened(block.label(velocity->index))));
+}
+
+}  // namespace
+
 void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
                        const std::function<bool(FrictionQuantity)>& isStated,
                        const std::string& name) {
@@ -356,26 +421,7 @@ void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
         message("has no column of the velocity; its columns are {}; name it as in \"v (m/s)\", or "
                 "write one velocity of all rows above them, as in \"Velocity: 10 mm/s\"",
                 Message::name(namesOfColumns(block))));
-  // The velocity beside a slip is that of the wheel or the vehicle, unless its name says otherwise.
-  const auto isSlip = [](const TextColumn& column) {
-    return hasOneOf(nameWords(column.name), "slip schlupf slipangle slipratio sliprate") &&
-           findMeaning(column) != Quantity::Velocity;
-  };
-  if (const auto slip = std::ranges::find_if(block.columns, isSlip); slip != block.columns.end()) {
-    const FrictionRole* velocity = roles.find(Quantity::Velocity);
-    if (!velocity)
-      throw InputError(
-          name, "",
-          message("column {}: with a slip, the velocity of sliding is not the one above "
-                  "the table; give it for each row in a column, as in \"v (m/s)\"",
-                  shortened(slip->name)));
-    if (!isNameOfSliding(block.columns[velocity->index].name))
-      throw InputError(
-          name, "",
-          message("column {}: with a slip, the velocity of sliding may not be that of column {}; "
-                  "name that column sliding velocity where it is, or give the velocity of sliding",
-                  shortened(slip->name), shortened(block.label(velocity->index))));
-  }
+  refuseVelocityOfWheel(block, roles, name);
   if (roles.find(Quantity::Mu)->conversion.isForce && !isKnown(Quantity::Force))
     throw InputError(
         name, "",

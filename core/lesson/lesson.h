@@ -142,6 +142,8 @@ struct LessonStep {
   // Set by the reader: the scene of the step, and the scene after its reveal.
   Scene scene{}, revealedScene{};
 
+  /// Returns whether the step does not continue with the scene of the previous one.
+  bool hasOwnScene() const { return !sceneName.empty() || !sceneJson.empty(); }
   bool operator==(const LessonStep&) const = default;
 };
 

@@ -181,7 +181,7 @@ void requireNoLeap(std::span<const double> positions, const SurfaceSource& sourc
   if (leap > length / 2 && length > kOrdinary * usual * static_cast<double>(steps.size()))
     source.fail(
         message("the positions leap from {:.6g} to {:.6g}, {:.3g} times the usual step; "
-                "each stretch needs a file of its own",
+                "each part needs a file of its own",
                 positions[at], positions[at + 1], leap / usual));
 }
 

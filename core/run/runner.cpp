@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "core/accuracy/compute_curve.h"
@@ -19,16 +20,35 @@
 
 namespace asperity {
 
+namespace {
+
+/// Returns a number of the longer steps in a frame, near the usual one, with which the frames show
+/// nearly equal numbers of the shorter steps, too. ratio: of the longer step to the shorter one.
+double evenStepsPerFrame(double usual, double ratio) {
+  constexpr double kEven = 0.1;  // part of the frames that may show another number
+  const auto unevenness = [ratio](double steps) {
+    return std::abs(steps * ratio - std::round(steps * ratio)) / (steps * ratio);
+  };
+  double best = usual;
+  for (double away = 0; away <= usual && unevenness(best) > kEven; ++away)
+    for (const double steps : {usual + away, usual - away})
+      if (2 * steps >= usual && unevenness(steps) < unevenness(best)) best = steps;
+  return best;
+}
+
+}  // namespace
+
 double usualPace(const Sliding& sliding, double spacing) {
   if (sliding.kind == SlidingKind::Steady) return kDefaultPace;
   const Motion motion(sliding);
-  double step = motion.longestStep();
-  // Where the velocity jumps, the longer steps decide: of the shorter ones a frame shows more.
+  double longer = motion.longestStep(), shorter = longer;
   if (spacing > 0)
-    step = std::max(motion.stepAt(0, spacing, step), motion.stepAt(motion.jump(), spacing, step));
+    std::tie(shorter, longer) = std::minmax(
+        {motion.stepAt(0, spacing, longer), motion.stepAt(motion.jump(), spacing, longer)});
   const RunnerOptions usual;
-  const double steps = sliding.duration / step;
-  const double stepsPerFrame = std::max(1.0, std::round(steps * usual.partPerFrame()));
+  const double steps = sliding.duration / longer;
+  const double stepsPerFrame =
+      evenStepsPerFrame(std::max(1.0, std::round(steps * usual.partPerFrame())), longer / shorter);
   return steps / stepsPerFrame * usual.secondsPerFrame();
 }
 
@@ -110,7 +130,7 @@ struct Runner::Impl {
     bool play = false;
     std::vector<double> steps;   // each as a part of the period
     std::optional<double> seek;  // s, the moment to go to
-    double part = 0;             // of the period, or of a motion's duration, between two frames
+    std::optional<double> pace;  // s on the screen for a period; none: the usual one
     bool any() const { return scene || fields || reset || seek || !steps.empty(); }
   };
 
@@ -143,7 +163,7 @@ struct Runner::Impl {
     Commands commands = std::move(pending);
     pending = {};
     commands.play = playing && isVisible;
-    commands.part = options.secondsPerFrame() / pace;
+    commands.pace = pace;
     return commands;
   }
 
@@ -163,6 +183,8 @@ struct Runner::Impl {
     if (commands.reset) simulation->reset();
     for (const double part : commands.steps) simulation->singleStep(part);
     const std::chrono::duration<double> interval(options.secondsPerFrame());
+    const double part = interval.count() / commands.pace.value_or(usualPace(
+                                               simulation->scene().sliding, simulation->spacing()));
     if (commands.scene || commands.reset || !commands.steps.empty()) wantedMoment.reset();
     if (commands.seek) wantedMoment = commands.seek;
     if (wantedMoment) {
@@ -170,14 +192,14 @@ struct Runner::Impl {
       const double moment = *std::exchange(wantedMoment, {});  // an exception ends the seek
       bool isThere = false;
       while (!isThere && Clock::now() < next)
-        isThere = simulation->seek(moment, commands.part, interval.count());
+        isThere = simulation->seek(moment, part, interval.count());
       if (!isThere) wantedMoment = moment;
       publish(simulation->frame());
       return;
     }
     const bool due = commands.play && Clock::now() >= next;
     if (due) {
-      simulation->advance(commands.part, interval.count());
+      simulation->advance(part, interval.count());
       next = std::max(next + std::chrono::duration_cast<Clock::duration>(interval), Clock::now());
     }
     if (due || commands.any()) publish(simulation->frame());
@@ -266,7 +288,7 @@ struct Runner::Impl {
   std::condition_variable_any changed;
   bool playing = true;
   bool isVisible = true;
-  double pace;  // s on the screen for a period
+  std::optional<double> pace;  // s on the screen for a period; none: the usual one
   Commands pending;
   PostedScene present;
   std::shared_ptr<const Frame> newest;
@@ -317,7 +339,7 @@ void Runner::singleStep(double part) {
   impl_->changed.notify_all();
 }
 
-void Runner::setPace(double secondsPerPeriod) {
+void Runner::setPace(std::optional<double> secondsPerPeriod) {
   const std::lock_guard guard(impl_->lock);
   impl_->pace = secondsPerPeriod;
 }

@@ -107,9 +107,9 @@ struct RunnerOptions {
 };
 
 /// Returns the pace of a scene until a user chooses another one: the default pace, or, of a motion,
-/// the nearest one at which each frame shows the same number of its steps. Other paces would repeat
-/// frames, because the contact is known at whole steps alone. spacing: of the line's nodes (m); 0:
-/// not known yet.
+/// one near it at which each frame shows the same number of its steps, also where the steps before
+/// and after a jump of the velocity are not equally long. Other paces would repeat frames, because
+/// the contact is known at whole steps alone. spacing: of the line's nodes (m); 0: not known yet.
 double usualPace(const Sliding& sliding, double spacing);
 
 class Runner {
@@ -136,9 +136,10 @@ class Runner {
   /// if that is more; a motion advances by at least one time step.
   void singleStep(double part = 0);
 
-  /// Sets the pace: the seconds on the screen for one period of the line, or for a whole motion.
-  /// Lines with very many elements move more slowly than requested.
-  void setPace(double secondsPerPeriod);
+  /// Sets the pace: the seconds on the screen for one period of the line, or for a whole motion;
+  /// none: the usual one of each scene, from its first frame on. Lines with very many elements move
+  /// more slowly than requested.
+  void setPace(std::optional<double> secondsPerPeriod);
 
   /// Goes to a moment of a motion (s), forward or back; frames on the way are shown. The newest
   /// moment wins, and a new scene, a step or reset() ends it. In steady sliding nothing happens.

@@ -402,6 +402,14 @@ Frame Simulation::steadyFrame() const {
   return frame;
 }
 
+const Scene& Simulation::scene() const {
+  return *ready_->scene;
+}
+
+double Simulation::spacing() const {
+  return ready_->line().spacing;
+}
+
 Frame Simulation::frame() const {
   Frame frame = showsSteadyState() ? steadyFrame() : marchedFrame();
   frame.sceneNumber = ready_->number;

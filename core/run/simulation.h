@@ -82,6 +82,8 @@ class Simulation {
   void singleStep(double part = 0);
 
   Frame frame() const;
+  const Scene& scene() const;
+  double spacing() const;  // of the line's nodes, m
 
  private:
   struct Ready;  // a prepared scene: line, elements, steady result

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/law.h"
@@ -120,10 +121,15 @@ double newestJump(const Sliding& sliding, double now) {
   return jumped && !motion.isSmooth() ? motion.jump() : kNotApplicable;
 }
 
-/// Returns whether there will be a guide at the end: it is then explained from the beginning.
+/// Returns whether there will be a guide at the end: it is then explained from the beginning. A
+/// scene that cannot run, because its temperature has no shift, has none.
 bool willRelax(const Scene& scene) {
-  return elementLaw(scene.elastomer).kind() == ElementKind::Kelvin &&
-         std::isfinite(newestJump(scene.sliding, scene.sliding.duration));
+  if (!std::isfinite(newestJump(scene.sliding, scene.sliding.duration))) return false;
+  try {
+    return elementLaw(scene.elastomer).kind() == ElementKind::Kelvin;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 bool isKnown(const TransientSample& sample) {

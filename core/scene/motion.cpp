@@ -60,7 +60,7 @@ double Motion::distanceAt(double time) const {
 
 double Motion::fastest(double from, double to) const {
   if (sliding_.kind == SlidingKind::Oscillation) return sliding_.velocity + sliding_.amplitude;
-  // A stretch that ends at the jump has the velocity before it.
+  // An interval that ends at the jump has the velocity before it.
   const double first = std::abs(velocityAt(from));
   return jumps() && to > jump() ? std::max(first, std::abs(secondVelocity())) : first;
 }

@@ -72,7 +72,7 @@ double errorOfMean(const Scene& scene, std::int64_t points) {
   return atTwo * std::pow(2 / static_cast<double>(points), 3);
 }
 
-/// Returns the number of independent stretches of line, in all realizations together.
+/// Returns the number of independent parts of line, in all realizations together.
 double independentLines(const Scene& scene) {
   return static_cast<double>(scene.ensemble.realizations) *
          std::max(1.0, rollOffMode(scene.surface));

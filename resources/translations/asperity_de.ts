@@ -1246,14 +1246,6 @@
         <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Ersetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -1656,7 +1648,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FigureGallery</name>
+    <name>asperity::FigureQueue</name>
     <message>
         <source>Master curve</source>
         <translation>Masterkurve</translation>
@@ -1716,12 +1708,19 @@
         <translation>Abbildungen</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Gallery…</source>
         <translation>Galerie…</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FileDialogs</name>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1902,8 +1901,8 @@
         <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung</translation>
     </message>
     <message>
-        <source>Tick the parameters to fit; limits are optional. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized. The best values appear here, and below them the curve with the points.</source>
-        <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert. Hier erscheinen die besten Werte, darunter die Kurve mit den Punkten.</translation>
+        <source>Tick the parameters to fit; type limits, which are optional, into “from” and “to”. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized. The best values appear here, and below them the curve with the points.</source>
+        <translation>Die anzupassenden Parameter ankreuzen; Grenzen, die freigestellt sind, in „von“ und „bis“ eintragen. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert. Hier erscheinen die besten Werte, darunter die Kurve mit den Punkten.</translation>
     </message>
     <message>
         <source>curve misses the points</source>
@@ -1930,7 +1929,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::GalleryPage</name>
+    <name>asperity::FiguresPage</name>
     <message>
         <source>Figures of Li et al. (2013), computed here and now</source>
         <translation>Abbildungen von Li et al. (2013), hier und jetzt berechnet</translation>
@@ -2208,7 +2207,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::LessonCheck</name>
+    <name>asperity::LessonValidation</name>
     <message>
         <source>Choice %1: needs a number in From or To, as the others have</source>
         <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>
@@ -2711,6 +2710,10 @@
     <message>
         <source>Lesson: %1</source>
         <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Schritte der Lektion</translation>
     </message>
 </context>
 <context>

@@ -4187,7 +4187,7 @@
         <translation>Zeile %1: %2 im Kopf ist keine Zahl</translation>
     </message>
     <message>
-        <source>the positions leap from %1 to %2, %3 times the usual step; each stretch needs a file of its own</source>
+        <source>the positions leap from %1 to %2, %3 times the usual step; each part needs a file of its own</source>
         <translation>die Orte springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
     </message>
     <message>
@@ -5336,7 +5336,7 @@
     </message>
     <message>
         <source>loss per decade / largest</source>
-        <translation>Verlust je Dekade, zum größten</translation>
+        <translation>Verlust je Dekade, relativ</translation>
     </message>
     <message>
         <source>nothing is dissipated at this velocity</source>
@@ -7115,12 +7115,12 @@
         <translation>Zeile %1 (%2): unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
     </message>
     <message>
-        <source>column %1: with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
-        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
+        <source>with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
+        <translation>Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
     </message>
     <message>
-        <source>column %1: with a slip, the velocity of sliding may not be that of column %2; name that column sliding velocity where it is, or give the velocity of sliding</source>
-        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit womöglich nicht die der Spalte %2; diese Spalte Gleitgeschwindigkeit nennen, wo sie es ist, oder die Gleitgeschwindigkeit angeben</translation>
+        <source>with a slip, the velocity of sliding may not be that of column %1; name that column sliding velocity where it is, or give the velocity of sliding</source>
+        <translation>Mit einem Schlupf ist die Gleitgeschwindigkeit womöglich nicht die der Spalte %1; diese Spalte Gleitgeschwindigkeit nennen, wo sie es ist, oder die Gleitgeschwindigkeit angeben</translation>
     </message>
     <message>
         <source>the %1 is %2, which no test of rubber reaches; correct it or its unit, or leave it empty where it stands for a missing value</source>
@@ -7626,8 +7626,8 @@
         <translation>Grenzfälle und Gegenproben</translation>
     </message>
     <message>
-        <source>Regions of Eq. (11)</source>
-        <translation>Bereiche von Gl. (11)</translation>
+        <source>The four regions of friction</source>
+        <translation>Die vier Bereiche der Reibung</translation>
     </message>
     <message>
         <source>Materials and temperature</source>

@@ -131,6 +131,15 @@ TEST_F(FitCommandTest, MeasuredFrictionAndTheoriesStandBesideACurve) {
   EXPECT_THAT(read("c.csv"), AllOf(HasSubstr("\ndata,"), HasSubstr("Gaussian foundation"),
                                    HasSubstr("half-space"), HasSubstr("Eq. (11)")));
   EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("measured / computed"), HasSubstr("comparison")));
+  // The answer as JSON has the measured points, too, with the friction computed at each.
+  const auto answer = nlohmann::json::parse(program.run("curve s.json --data data.csv --json").out);
+  const nlohmann::json& measured = answer["measured"][0];
+  EXPECT_EQ(measured["name"], "data");
+  const nlohmann::json& point = measured["points"][2];
+  EXPECT_GT(point["mu_error"], 0);
+  EXPECT_TRUE(point["temperature"].is_null());
+  EXPECT_DOUBLE_EQ(point["measured_over_computed"],
+                   point["mu_measured"].get<double>() / point["mu"].get<double>());
   // A scene that names them shows the same.
   program.folder.write(
       "t.json",

@@ -1,5 +1,6 @@
 #include "ui/chart/chart_geometry.h"
 
+#include <QLineF>
 #include <algorithm>
 #include <cmath>
 
@@ -32,10 +33,6 @@ AxisRange clamped(const AxisRange& range, const AxisRange& whole) {
   return from == range.from ? range : AxisRange{from, from + range.size()};
 }
 
-double distance(QPointF a, QPointF b) {
-  return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
-
 /// Finds the nearest drawn point of a diagram's curves; the upper one where two coincide.
 void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isStrip,
                QPointF position, ChartTarget& target) {
@@ -46,7 +43,7 @@ void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isStr
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const QPointF at = geometry.at(series.points[i].x, series.points[i].y);
       if (!isFinite(at) || !geometry.area.adjusted(-1, -1, 1, 1).contains(at)) continue;
-      const double away = isStrip ? std::abs(at.x() - position.x()) : distance(at, position);
+      const double away = isStrip ? std::abs(at.x() - position.x()) : QLineF(at, position).length();
       if (away > nearest) continue;
       nearest = away;
       target.series = static_cast<int>(s);
@@ -150,12 +147,12 @@ ZoomAxes axesAt(const ChartGeometry& geometry, QPointF position) {
 }
 
 VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
-  VisibleRange window{geometry.x, geometry.y};
+  VisibleRange range{geometry.x, geometry.y};
   if (axes.x && geometry.area.width() > 0)
-    window.x = scaled(geometry.x, geometry.positionX(about.x()), factor);
+    range.x = scaled(geometry.x, geometry.positionX(about.x()), factor);
   if (axes.y && geometry.area.height() > 0)
-    window.y = scaled(geometry.y, geometry.positionY(about.y()), factor);
-  return window;
+    range.y = scaled(geometry.y, geometry.positionY(about.y()), factor);
+  return range;
 }
 
 VisibleRange panned(const ChartGeometry& geometry, QPointF by) {
@@ -165,8 +162,8 @@ VisibleRange panned(const ChartGeometry& geometry, QPointF by) {
           moved(geometry.y, by.y() / area.height() * geometry.y.size())};
 }
 
-VisibleRange clampedTo(const VisibleRange& window, const VisibleRange& whole) {
-  return {clamped(window.x, whole.x), clamped(window.y, whole.y)};
+VisibleRange clampedTo(const VisibleRange& range, const VisibleRange& whole) {
+  return {clamped(range.x, whole.x), clamped(range.y, whole.y)};
 }
 
 const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isForward) {
@@ -183,8 +180,8 @@ const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isF
   return best;
 }
 
-bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
-  const Box box = toBox({window.x.from, window.y.from, window.x.size(), window.y.size()});
+bool showsCurves(const VisibleRange& range, const Diagram& diagram) {
+  const Box box = toBox({range.x.from, range.y.from, range.x.size(), range.y.size()});
   return std::ranges::any_of(diagram.series, [&](const DiagramSeries& series) {
     Polyline positions;
     for (const DiagramPoint& point : series.points)

@@ -88,11 +88,12 @@ inline constexpr double kMarkerReach = 6, kPointReach = 9;
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
                      QPointF position);
 
-/// Returns the axes that the wheel zooms at this position: both inside the frame, one over its
-/// labels, none elsewhere.
+/// The axes that a zoom changes.
 struct ZoomAxes {
   bool x = false, y = false;
 };
+/// Returns the axes that the wheel zooms at this position: both inside the frame, one over its
+/// labels, none elsewhere.
 ZoomAxes axesAt(const ChartGeometry& geometry, QPointF position);
 
 /// Zooms about a position, which stays fixed: the range becomes `factor` times as wide, within 0.1
@@ -104,13 +105,13 @@ VisibleRange panned(const ChartGeometry& geometry, QPointF by);
 
 /// Moves the range as little as possible so that on each axis at least half of it lies within
 /// `whole`.
-VisibleRange clampedTo(const VisibleRange& window, const VisibleRange& whole);
+VisibleRange clampedTo(const VisibleRange& range, const VisibleRange& whole);
 
 /// Returns the nearest point beyond a value of x among the series with this id; null where there is
 /// none.
 const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isForward);
 
 /// Returns whether any curve of the diagram passes through the range.
-bool showsCurves(const VisibleRange& window, const Diagram& diagram);
+bool showsCurves(const VisibleRange& range, const Diagram& diagram);
 
 }  // namespace asperity

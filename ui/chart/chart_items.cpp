@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "ui/chart/diagram_series.h"
-#include "ui/chart/diagram_style.h"
 
 namespace asperity {
 

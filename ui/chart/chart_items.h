@@ -1,5 +1,5 @@
 // The parts of a diagram that Qt Charts cannot paint, as items under and over its series
-// (chart_panel.h says why). Graphics items; GUI thread.
+// (chart_panel.h gives the reason). Graphics items; GUI thread.
 #pragma once
 
 #include <QGraphicsItem>
@@ -87,8 +87,8 @@ class ChartForeground : public QGraphicsItem {
 
   void show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style);
 
-  /// Returns the rectangle of the sentence that says why there are no curves; empty where there is
-  /// none.
+  /// Returns the rectangle of the sentence that explains why there are no curves; empty where there
+  /// is none.
   QRectF sentence() const;
 
   QRectF boundingRect() const override;

@@ -32,18 +32,19 @@ QString firstParts(const QString& name, double available, const QFontMetricsF& m
   if (metrics.horizontalAdvance(name) <= available) return name;
   for (qsizetype at = name.size(); at > 0; --at) {
     const QStringView rest = QStringView(name).mid(at);
-    if (!rest.startsWith(QStringLiteral(", ")) && !rest.startsWith(QStringLiteral(" ± "))) continue;
+    const auto isEnd = [&](const char* mark) { return rest.startsWith(QString::fromUtf8(mark)); };
+    if (!isEnd(", ") && !isEnd("; ") && !isEnd(" ± ")) continue;
     if (metrics.horizontalAdvance(name.left(at)) <= available) return name.left(at);
   }
   return metrics.elidedText(name, Qt::ElideRight, available);
 }
 
-/// Breaks a text that is too long for its space into lines, after commas.
+/// Breaks a text that is too long for its space into lines, after commas, or the semicolons of a
+/// language with decimal commas.
 QStringList brokenInto(const QString& text, double available, const QFontMetricsF& metrics) {
   QStringList lines(1);
-  const QStringList parts = text.split(QStringLiteral(", "));
-  for (qsizetype i = 0; i < parts.size(); ++i) {
-    const QString part = i + 1 < parts.size() ? parts[i] + ',' : parts[i];
+  static const QRegularExpression gap(QStringLiteral("(?<=[,;]) "));
+  for (const QString& part : text.split(gap)) {
     const QString longer = lines.last().isEmpty() ? part : lines.last() + ' ' + part;
     const bool fits = metrics.horizontalAdvance(longer) <= available || lines.last().isEmpty();
     if (fits || lines.size() == kMaxLines)
@@ -84,17 +85,11 @@ std::vector<ChartLegend::Entry> ChartLegend::makeEntries() const {
     const Diagram &diagram = sheet_.diagrams[i], &english = english_.diagrams[i];
     for (std::size_t k = 0; k < diagram.series.size(); ++k) {
       const DiagramSeries& series = diagram.series[k];
-      if (series.name.empty()) continue;
-      if (std::ranges::none_of(series.points, [&](const DiagramPoint& point) {
-            return hasPosition(diagram, point);
-          }))
-        continue;
+      if (series.name.empty() || !hasPoints(series, diagram)) continue;
       Entry entry;
       entry.explanation = findExplanation(english.series[k].name);
       entry.text = QString::fromStdString(series.name.text);
-      entry.hasBars = !series.isBand && std::ranges::any_of(series.points, [](const auto& point) {
-        return point.high > point.low;
-      });
+      entry.hasBars = hasErrorBars(series);
       entry.series = series;
       entry.series.points.clear();
       auto& group = series.isTheory              ? theory
@@ -194,7 +189,7 @@ int ChartLegend::place(int rows, std::optional<double> widestName) {
   const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
     const double available = std::max(40.0, width() - 2 * kSide - sampleWidth() - extra);
-    // Curves that were pinned may differ in what their names say last.
+    // Curves that were pinned may differ in the last parts of their names.
     const double narrow = std::min(available, widestName.value_or(available));
     if (!widestName)
       entry.lines = brokenInto(entry.text, available, metrics);

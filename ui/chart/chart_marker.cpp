@@ -149,8 +149,8 @@ namespace {
 /// within the bounds.
 QRectF placeBeside(QPointF point, QSizeF size, double away, const QRectF& bounds,
                    const QList<QRectF>& avoided) {
-  const auto clamped = [](double wanted, double from, double to) {
-    return std::clamp(wanted, from, std::max(from, to));
+  const auto clamped = [](double position, double from, double to) {
+    return std::clamp(position, from, std::max(from, to));
   };
   QRectF best;
   qsizetype fewest = avoided.size() + 2;

@@ -20,7 +20,6 @@ namespace {
 constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
 
 constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
-constexpr double kBandOpacity = 0.2;
 
 /// Returns the size of a curve's marks at which they do not touch each other.
 double curveMarkSize(const DiagramSeries& series, double width, const ChartStyle& style) {
@@ -222,7 +221,7 @@ void ChartPanel::showBand(const DiagramSeries& series, const Diagram& diagram,
   if (low.size() < 2) return;
   QAreaSeries& band = nextBand();
   QColor fill = style.curve(series);
-  fill.setAlphaF(static_cast<float>(kBandOpacity));
+  fill.setAlphaF(kBandOpacity);
   if (band.brush().color() != fill) band.setBrush(fill);
   band.lowerSeries()->replace(low);
   band.upperSeries()->replace(high);

@@ -49,8 +49,8 @@ class ChartPanel {
   /// Returns the rectangles of the names of shades, which are inside the frame.
   QList<QRectF> namesInside() const;
 
-  /// Returns the rectangle of the sentence that says why there are no curves; empty where there is
-  /// none.
+  /// Returns the rectangle of the sentence that explains why there are no curves; empty where there
+  /// is none.
   QRectF sentence() const;
 
   /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 
 namespace asperity {
@@ -28,17 +27,21 @@ QColor ChartStyle::span() const {
 }
 
 QColor ChartStyle::shade() const {
-  return translucent(theme.highlight, 0.1F);
+  return translucent(theme.highlight, kShadeOpacity);
 }
+
 QColor ChartStyle::marker() const {
-  return toQColor(seriesColour(1, theme));
+  return toQColor(seriesColour(kMarkerColour, theme));
 }
+
 QColor ChartStyle::curve(const DiagramSeries& series) const {
   return series.isTheory ? text() : toQColor(seriesColour(series.colour, theme));
 }
+
 double ChartStyle::scale() const {
   return markScale(font);
 }
+
 double ChartStyle::line() const {
   return QFontMetricsF(font).height();
 }

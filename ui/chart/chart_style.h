@@ -8,6 +8,7 @@
 
 #include "core/chart/diagram.h"
 #include "ui/chart/diagram_layout.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 
@@ -37,9 +38,6 @@ struct ChartStyle {
   double scale() const;  // at least 1
   double line() const;   // pixels, height of a line of text
 };
-
-/// Opacity of objects that belong to an earlier state.
-inline constexpr double kFadedOpacity = 0.3;
 
 /// Returns the size of the font relative to the usual one, at least 1; marks and pens grow with it.
 double markScale(const QFont& font);

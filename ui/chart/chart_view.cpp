@@ -14,7 +14,6 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -47,23 +46,6 @@ const DiagramPoint& targetPoint(const DiagramSheet& sheet, const ChartTarget& ta
   return targetSeries(sheet, target).points[static_cast<std::size_t>(target.point)];
 }
 
-/// Calls back after a widget has got another size, once its layout is done.
-class ResizeWatcher : public QObject {
- public:
-  ResizeWatcher(QObject& parent, std::function<void()> changed)
-      : QObject(&parent), changed_(std::move(changed)) {}
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Resize)
-      QMetaObject::invokeMethod(this, changed_, Qt::QueuedConnection);
-    return QObject::eventFilter(watched, event);
-  }
-
- private:
-  std::function<void()> changed_;
-};
-
 }  // namespace
 
 ChartView::ChartView(QWidget* parent)
@@ -89,11 +71,7 @@ ChartView::ChartView(QWidget* parent)
   view_->setFocusPolicy(Qt::NoFocus);
   view_->viewport()->setFocusPolicy(Qt::NoFocus);
   view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles gestures
-  // The choosers and the legend also change the size of the charts: with other texts, or more
-  // lines.
-  view_->installEventFilter(new ResizeWatcher(*this, [this] {
-    if (view_->scene()->sceneRect().size() != QSizeF(view_->size())) showAll();
-  }));
+  view_->installEventFilter(this);
   setMouseTracking(true);
   connect(legend_, &ChartLegend::unpinRequested, this, &ChartView::unpinRequested);
   connect(legend_, &ChartLegend::pointedAt, this,
@@ -233,6 +211,18 @@ void ChartView::showEvent(QShowEvent* event) {
 void ChartView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   showAll();
+}
+
+/// Updates the charts, once the layout is done, where the choosers or the legend change their size:
+/// with other texts, or more lines.
+bool ChartView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ && event->type() == QEvent::Resize) {
+    const auto update = [this] {
+      if (view_->scene()->sceneRect().size() != QSizeF(view_->size())) showAll();
+    };
+    QMetaObject::invokeMethod(this, update, Qt::QueuedConnection);
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void ChartView::changeEvent(QEvent* event) {
@@ -422,10 +412,10 @@ void ChartView::fit() {
 void ChartView::setZoom(const std::optional<VisibleRange>& requested) {
   const bool isZoomable =
       !sheet_.diagrams.empty() && sheet_.diagrams[0].x.scale == AxisScale::Logarithmic;
-  std::optional<VisibleRange> window = isZoomable ? requested : std::nullopt;
-  if (window) window = clampedTo(*window, whole());
-  if (window == zoom_) return;
-  zoom_ = window;
+  std::optional<VisibleRange> range = isZoomable ? requested : std::nullopt;
+  if (range) range = clampedTo(*range, whole());
+  if (range == zoom_) return;
+  zoom_ = range;
   showAll();
 }
 

@@ -68,7 +68,7 @@ class ChartView : public QWidget {
   void zoom(double factor);  // about the middle; a factor below 1 enlarges
   void fit();
   /// Shows this range; none: everything, as fit().
-  void setZoom(const std::optional<VisibleRange>& window);
+  void setZoom(const std::optional<VisibleRange>& range);
 
   /// Returns the reading of a point, given by its series' id and its row. May be empty.
   using Describe = std::function<QString(int id, int row)>;
@@ -98,6 +98,7 @@ class ChartView : public QWidget {
   void titlesChanged(const QString& x, const QString& y);
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

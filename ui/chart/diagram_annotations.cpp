@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
@@ -12,7 +13,6 @@ namespace asperity {
 namespace {
 
 constexpr float kLine = 1.3F;  // height of a line in sizes of the font
-constexpr float kTint = 0.1F;  // opacity of a shade
 
 struct SpanBox {
   Box box;
@@ -144,7 +144,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
     taken = centre + width / 2;
   }
   for (const SpanBox& shade : spanBoxes(diagram.shades, axes))
-    addRectangle(layer, shade.box, withAlpha(theme.highlight, kTint));
+    addRectangle(layer, shade.box, withAlpha(theme.highlight, kShadeOpacity));
   if (!layer.triangles.empty()) list.layers.push_back(std::move(layer));
 }
 
@@ -169,12 +169,13 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
           &other != &label && isFinite(its))
         targets.push_back(its);
     const Clearance clearance(placed, std::move(targets), 0.4F * size);
-    const DrawPoint wanted = clampedInside(inside, at, width, height);
+    const DrawPoint preferred = clampedInside(inside, at, width, height);
     const int rings = hasArrow ? 24 : 14;
-    auto box = boxNear(wanted, width, height, inside, map, 0.6F * size, rings, [&](const Box& one) {
-      return clearance.isClear(one, hasArrow ? std::optional(target) : std::nullopt);
-    });
-    if (!box) box = boxNear(wanted, width, height, inside, map, 0.6F * size, rings);
+    auto box =
+        boxNear(preferred, width, height, inside, map, 0.6F * size, rings, [&](const Box& one) {
+          return clearance.isClear(one, hasArrow ? std::optional(target) : std::nullopt);
+        });
+    if (!box) box = boxNear(preferred, width, height, inside, map, 0.6F * size, rings);
     if (!box) continue;
     out.box = *box;
     out.covers = diagram.field || map.greatestUnder(*box) > 0;

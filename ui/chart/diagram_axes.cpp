@@ -252,8 +252,8 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
              colour);
   }
   for (const Tick& tick : axes.yAxis.ticks)
-    addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
-             TextAnchor::Right, colour);
+    addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + kMiddleOfText * size},
+             size, TextAnchor::Right, colour);
 }
 
 }  // namespace
@@ -288,8 +288,8 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
 }
 
 AxisRange xRange(const Diagram& diagram) {
-  const AxisRange asked = prescribedRange(diagram.x);
-  if (!asked.isEmpty()) return asked;
+  const AxisRange prescribed = prescribedRange(diagram.x);
+  if (!prescribed.isEmpty()) return prescribed;
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points)
@@ -299,8 +299,8 @@ AxisRange xRange(const Diagram& diagram) {
 }
 
 AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
-  const AxisRange asked = prescribedRange(diagram.y);
-  if (!asked.isEmpty()) return asked;
+  const AxisRange prescribed = prescribedRange(diagram.y);
+  if (!prescribed.isEmpty()) return prescribed;
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {

@@ -246,7 +246,7 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
       for (const Polyline& part :
            {partBetween(line, 0, label->from), partBetween(line, label->to, arcLength(line))})
         if (part.size() > 1) addLine(layer, part, kContour * sizes.unit, colour);
-      const float drop = 0.36F * size;  // from the middle of the letters to the baseline
+      const float drop = kMiddleOfText * size;
       addLabel(list, contour.label.text,
                {label->middle.x + drop * std::sin(label->angle),
                 label->middle.y + drop * std::cos(label->angle)},
@@ -287,7 +287,7 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   list.layers.push_back(std::move(layer));
   for (const Tick& tick : colours.ticks)
     addLabel(list, tick.label,
-             {bar.right() + 0.5F * sizes.tick, axes.py(tick.value) + 0.36F * sizes.tick},
+             {bar.right() + 0.5F * sizes.tick, axes.py(tick.value) + kMiddleOfText * sizes.tick},
              sizes.tick, TextAnchor::Left, theme.text);
   const FittedTitle title = fittedTitle(colours.title, sizes.axis, frame.height);
   addLabel(list, title.text,

@@ -27,12 +27,8 @@ std::vector<LegendEntry> legendEntries(const Diagram& diagram,
   const auto add = [&](std::size_t i) {
     const DiagramSeries& series = diagram.series[i];
     if (series.name.empty() || (diagram.ramp && std::isfinite(series.ramp))) return;
-    const bool isNowhere = !series.points.empty() &&
-                           std::ranges::none_of(series.points, [&](const DiagramPoint& point) {
-                             return hasPosition(diagram, point);
-                           });
-    if (isNowhere) return;
-    const bool known = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
+    if (!series.points.empty() && !hasPoints(series, diagram)) return;
+    const bool known = std::ranges::any_of(entries, [&](const LegendEntry& entry) {
       return entry.name == series.name && isSameStyle(entry.style, styles[i]);
     });
     if (!known) entries.push_back({series.name.text, styles[i], true});
@@ -141,7 +137,7 @@ void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Dra
   const float length = kSample * size, y = left.y;
   if (style.isBand)
     addRectangle(lines, {left.x, y - 0.36F * size, length, 0.72F * size},
-                 withAlpha(style.colour, 0.2F));
+                 withAlpha(style.colour, kBandOpacity));
   const DrawPoint middle{left.x + length / 2, y};
   if (style.hasBars)
     addLine(lines, {{middle.x, y - 0.5F * size}, {middle.x, y + 0.5F * size}}, 0.6F * style.width,
@@ -162,7 +158,8 @@ void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, DrawPoin
   const float baseline = std::round(at.y + 1.1F * size);
   addLabel(list, ramp.from.text, {at.x, baseline}, size, TextAnchor::Left, theme.text);
   const float left = at.x + textWidth(ramp.from.text, size) + kEntryGap * size;
-  const float bar = kRampLength * size, top = baseline - 0.36F * size - kRampHeight * size / 2;
+  const float bar = kRampLength * size,
+              top = baseline - kMiddleOfText * size - kRampHeight * size / 2;
   for (int i = 0; i < kBarSteps; ++i) {  // each reaches the right end, so that there are no gaps
     const float done = bar * static_cast<float>(i) / kBarSteps;
     addRectangle(layer, {left + done, top, bar - done, kRampHeight * size},
@@ -241,7 +238,7 @@ void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed
   for (const LegendEntry& entry : legend.entries) {
     const float x = box.x + pad + entry.origin.x;
     const float baseline = std::round(top + entry.origin.y + 1.1F * size);
-    addSample(lines, marks, entry, {x, baseline - 0.36F * size}, size);
+    addSample(lines, marks, entry, {x, baseline - kMiddleOfText * size}, size);
     const float left = x + (entry.hasSample ? (kSample + kEntryGap) * size : 0);
     addLabel(list, entry.name, {left, baseline}, size, TextAnchor::Left,
              entry.hasSample ? theme.text : theme.faintText);

@@ -141,7 +141,7 @@ void DiagramPanel::addMarkerLine(DrawList& list) const {
   list.layers.push_back(std::move(layer));
 }
 
-/// Returns the lines of the sentence that says why there are no curves.
+/// Returns the lines of the sentence that explains why there are no curves.
 std::vector<std::string> DiagramPanel::sentenceLines() const {
   return wrapped(diagram_.blank.text, sizes_.legend, false, 0.9F * axes_.box.width);
 }

@@ -16,9 +16,6 @@
 
 namespace asperity {
 
-/// The colour of a marker, which differs from the present curve's, the first one.
-inline constexpr int kMarkerColour = 1;
-
 class DiagramPanel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.

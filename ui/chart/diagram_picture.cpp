@@ -113,19 +113,47 @@ void shareLegend(DiagramSheet& sheet) {
 
 /// Gives the y-axis the range of the present points, if there are any.
 void holdYAxis(Diagram& diagram) {
-  const bool hasPoints = std::ranges::any_of(diagram.series, [&](const DiagramSeries& series) {
-    return std::ranges::any_of(
-        series.points, [&](const DiagramPoint& point) { return hasPosition(diagram, point); });
-  });
-  if (!hasPoints) return;
+  if (std::ranges::none_of(diagram.series,
+                           [&](const DiagramSeries& series) { return hasPoints(series, diagram); }))
+    return;
   const AxisRange range = yRange(diagram, xRange(diagram));
   diagram.y.from = axisValue(diagram.y.scale, range.from);
   diagram.y.to = axisValue(diagram.y.scale, range.to);
 }
 
-/// Returns the sheet in the current language, with markers as series: the trace of a marker, and a
-/// ring around its dot, which may lie in the middle of the trace. The trace does not widen a
-/// logarithmic axis, because it goes to 0 where friction changes its direction.
+/// Adds the marker as series: its trace, and a ring around its dot, which may lie in the middle of
+/// the trace. The trace does not widen a logarithmic axis, because it goes to 0 where friction
+/// changes its direction.
+void addMarker(Diagram& diagram) {
+  if (!diagram.marker) return;
+  const DiagramMarker& marker = *diagram.marker;
+  DiagramSeries trace, dot;
+  trace.colour = dot.colour = kMarkerColour;
+  trace.points = marker.trace;
+  dot.name = marker.name;
+  dot.mark = SeriesMark::Circle;
+  dot.stroke = SeriesStroke::None;
+  dot.points = {{marker.x, marker.y}};
+  DiagramSeries ring = dot;
+  ring.name = {};
+  ring.mark = SeriesMark::Ring;
+  if (!marker.label.empty()) diagram.labels.push_back({marker.label, marker.x, marker.y});
+  // At rest there is no dot on a logarithmic axis: the name then is that of the line, which has
+  // no points, or without a line that of the trace.
+  const bool hasLine = std::isfinite(axisPosition(diagram.x.scale, marker.x));
+  const bool hasDot = hasPosition(diagram, dot.points.front());
+  if (!hasDot && hasLine) dot.points.clear();
+  if (!hasDot && !hasLine && !trace.points.empty()) trace.name = marker.name;
+  const auto under = static_cast<std::ptrdiff_t>(diagram.series.size());
+  for (DiagramSeries* series : {&ring, &dot})
+    if (!series->points.empty() || !series->name.empty())
+      diagram.series.push_back(std::move(*series));
+  if (trace.points.empty()) return;
+  if (diagram.y.scale == AxisScale::Logarithmic) holdYAxis(diagram);
+  diagram.series.insert(diagram.series.begin() + under, std::move(trace));
+}
+
+/// Returns the sheet in the current language, with markers as series.
 DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options) {
   DiagramSheet sheet = translated(english);
   // Letters of a given size need panels of a width that holds their legends.
@@ -136,34 +164,7 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
     if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
     shareLegend(sheet);
   }
-  for (Diagram& diagram : sheet.diagrams) {
-    if (!diagram.marker) continue;
-    const DiagramMarker& marker = *diagram.marker;
-    DiagramSeries trace, dot;
-    trace.colour = dot.colour = kMarkerColour;
-    trace.points = marker.trace;
-    dot.name = marker.name;
-    dot.mark = SeriesMark::Circle;
-    dot.stroke = SeriesStroke::None;
-    dot.points = {{marker.x, marker.y}};
-    DiagramSeries ring = dot;
-    ring.name = {};
-    ring.mark = SeriesMark::Ring;
-    if (!marker.label.empty()) diagram.labels.push_back({marker.label, marker.x, marker.y});
-    // At rest there is no dot on a logarithmic axis: the name then is that of the line, which has
-    // no points, or without a line that of the trace.
-    const bool hasLine = std::isfinite(axisPosition(diagram.x.scale, marker.x));
-    const bool hasDot = hasPosition(diagram, dot.points.front());
-    if (!hasDot && hasLine) dot.points.clear();
-    if (!hasDot && !hasLine && !trace.points.empty()) trace.name = marker.name;
-    const auto under = static_cast<std::ptrdiff_t>(diagram.series.size());
-    for (DiagramSeries* series : {&ring, &dot})
-      if (!series->points.empty() || !series->name.empty())
-        diagram.series.push_back(std::move(*series));
-    if (trace.points.empty()) continue;
-    if (diagram.y.scale == AxisScale::Logarithmic) holdYAxis(diagram);
-    diagram.series.insert(diagram.series.begin() + under, std::move(trace));
-  }
+  for (Diagram& diagram : sheet.diagrams) addMarker(diagram);
   return sheet;
 }
 
@@ -180,14 +181,18 @@ std::vector<DiagramPanel> placePanels(const DiagramSheet& sheet, const DiagramOp
   return std::ranges::all_of(others, &DiagramPanel::isReadable) ? others : panels;
 }
 
+std::vector<DiagramPanel> placePanels(const DiagramSheet& sheet, const DiagramOptions& options) {
+  DrawList unused = emptyList(options);
+  return placePanels(sheet, options, unused);
+}
+
 /// Returns the sheet as it is drawn: in print without its note where only that makes the legend
 /// complete.
 DiagramSheet fitted(const DiagramSheet& english, const DiagramOptions& options) {
   DiagramSheet sheet = prepared(english, options);
   if (!(options.format.fontSize > 0) || sheet.note.empty()) return sheet;
   const auto isComplete = [&](const DiagramSheet& one) {
-    DrawList list = emptyList(options);
-    return std::ranges::all_of(placePanels(one, options, list), &DiagramPanel::hasWholeLegend);
+    return std::ranges::all_of(placePanels(one, options), &DiagramPanel::hasWholeLegend);
   };
   DiagramSheet withoutNote = sheet;
   withoutNote.note = {};
@@ -198,10 +203,8 @@ DiagramSheet fitted(const DiagramSheet& english, const DiagramOptions& options) 
 /// panels pass the test; 0 where there is none up to `highest`.
 int lowestHeight(const DiagramSheet& sheet, DiagramOptions options, int step, int highest,
                  bool (DiagramPanel::*test)() const) {
-  for (; options.height <= highest; options.height += step) {
-    DrawList list = emptyList(options);
-    if (std::ranges::all_of(placePanels(sheet, options, list), test)) return options.height;
-  }
+  for (; options.height <= highest; options.height += step)
+    if (std::ranges::all_of(placePanels(sheet, options), test)) return options.height;
   return 0;
 }
 
@@ -233,26 +236,22 @@ int heightInPrint(const DiagramSheet& english, const DiagramOptions& options) {
 }
 
 bool isWhole(const DiagramSheet& english, const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english, options);
-  DrawList list = emptyList(options);
-  return std::ranges::all_of(placePanels(sheet, options, list), &DiagramPanel::isWhole);
+  return std::ranges::all_of(placePanels(prepared(english, options), options),
+                             &DiagramPanel::isWhole);
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   const DiagramSheet sheet = prepared(english, options);
-  DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
-  for (const DiagramPanel& panel : placePanels(sheet, options, list))
+  for (const DiagramPanel& panel : placePanels(sheet, options))
     lowest = std::min(lowest, panel.isReadable() ? panel.frame().height : 0);
   return lowest / sizesFor(sheet, options).tick;
 }
 
 std::vector<ChartGeometry> diagramFrames(const DiagramSheet& english,
                                          const DiagramOptions& options) {
-  const DiagramSheet sheet = fitted(english, options);
-  DrawList list = emptyList(options);
   std::vector<ChartGeometry> frames;
-  for (const DiagramPanel& panel : placePanels(sheet, options, list))
+  for (const DiagramPanel& panel : placePanels(fitted(english, options), options))
     frames.push_back(panel.geometry());
   return frames;
 }
@@ -264,8 +263,8 @@ DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) 
   return sheet;
 }
 
-DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
-  DiagramOptions options = asked;
+DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& requested) {
+  DiagramOptions options = requested;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);
   const DiagramSheet sheet = fitted(english, options);

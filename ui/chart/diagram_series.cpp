@@ -11,7 +11,6 @@ namespace asperity {
 namespace {
 
 constexpr float kErrorBar = 1.2F, kRim = 0.8F;  // units
-constexpr float kBandAlpha = 0.2F;
 
 bool holds(const Box& box, const DrawPoint& p) {
   constexpr float kEdge = 0.5F;  // tolerance for points at the very end of an axis
@@ -79,7 +78,7 @@ std::vector<Bar> thinnedBars(const DiagramSeries& series, const DiagramAxes& axe
 
 void addBand(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& style,
              const DiagramAxes& axes) {
-  const Rgba fill = withAlpha(style.colour, kBandAlpha);
+  const Rgba fill = withAlpha(style.colour, kBandOpacity);
   const std::vector<Bar> bars = thinnedBars(series, axes);
   for (std::size_t i = 0; i + 1 < bars.size(); ++i) {
     const Bar &a = bars[i], &b = bars[i + 1];

@@ -126,9 +126,19 @@ constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F;
 constexpr float kMark = 7.2F, kSmallestMark = 3.6F;
 // These are in line widths.
 constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
-constexpr float kFaded = 0.3F;  // opacity of a faded series
 
 }  // namespace
+
+bool hasErrorBars(const DiagramSeries& series) {
+  return !series.isBand && std::ranges::any_of(series.points, [](const DiagramPoint& point) {
+    return point.high > point.low;
+  });
+}
+
+bool hasPoints(const DiagramSeries& series, const Diagram& diagram) {
+  return std::ranges::any_of(
+      series.points, [&](const DiagramPoint& point) { return hasPosition(diagram, point); });
+}
 
 std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes& sizes,
                                       const Theme& theme, float pixels) {
@@ -148,7 +158,7 @@ std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes
       style.colour = colourFrom(*series.rgb);
       next = before;
     }
-    if (series.isFaded) style.colour = mix(theme.background, style.colour, kFaded);
+    if (series.isFaded) style.colour = mix(theme.background, style.colour, kFadedOpacity);
     const float usual = sizes.curve > 0 ? sizes.curve / kCurve : sizes.unit;
     style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * usual;
     style.stroke = series.stroke;
@@ -159,9 +169,7 @@ std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes
     const float apart = pixels / static_cast<float>(series.points.size() + 1);
     style.markSize = std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kMark * sizes.unit);
     style.isBand = series.isBand;
-    style.hasBars = !series.isBand &&
-                    std::any_of(series.points.begin(), series.points.end(),
-                                [](const DiagramPoint& point) { return point.high > point.low; });
+    style.hasBars = hasErrorBars(series);
     styles.push_back(style);
   }
   return styles;

@@ -13,6 +13,12 @@ namespace asperity {
 
 inline constexpr int kDistinctColours = 9;
 
+/// The colour of a marker, which differs from the present curve's, the first one.
+inline constexpr int kMarkerColour = 1;
+
+/// Opacities of objects that belong to an earlier state, of bands, and of shaded ranges.
+inline constexpr float kFadedOpacity = 0.3F, kBandOpacity = 0.2F, kShadeOpacity = 0.1F;
+
 /// Returns a colour of the palette of Okabe and Ito (2008), whose colours every colour vision can
 /// distinguish, darkened or lightened where it would be too faint on the theme's background.
 /// Repeats after kDistinctColours.
@@ -39,6 +45,12 @@ void addMark(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, const 
 /// Adds a rim that separates a mark from objects under it; its layer is below the mark's.
 void addMarkRim(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, float rim,
                 const Rgba& colour);
+
+/// Returns whether any point of a series has an error bar.
+bool hasErrorBars(const DiagramSeries& series);
+
+/// Returns whether the axes of its diagram can show any point of a series.
+bool hasPoints(const DiagramSeries& series, const Diagram& diagram);
 
 /// The appearance of a series in its diagram and in the legend. Pixels.
 struct SeriesStyle {

@@ -260,7 +260,7 @@ void FrictionChartModel::addComparisons(CurveSet& set) const {
   if (!areComparisonsStale()) return;
   try {
     placeMeasured(set);
-  } catch (const InputError&) {  // no shift at a measured temperature: the work will say so
+  } catch (const InputError&) {  // no shift at a measured temperature: the work will report it
     set.measured.clear();
     set.isReduced = false;
   }

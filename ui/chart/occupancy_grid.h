@@ -43,7 +43,7 @@ Box freestBox(const OccupancyGrid& map, float width, float height, float margin)
 inline constexpr float kTaken = 100;  // weight of parts that must not be covered
 
 /// Finds the best box of this size around a point, inside `area`: one that covers little and is
-/// moved little, by at most `rings` times `step`. allowed: tells which boxes may be used.
+/// moved little, by at most `rings` times `step`. allowed: returns whether a box may be used.
 std::optional<Box> boxNear(
     const DrawPoint& at, float width, float height, const Box& area, const OccupancyGrid& map,
     float step, int rings,

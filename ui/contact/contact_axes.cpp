@@ -45,11 +45,10 @@ void addXAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
 void addHeightAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const float w = std::max(1.0F, std::round(s.unit));
-  const float rise = s.small * 0.36F;
   for (const Tick& tick : layout.heightTicks.ticks) {
     const float y = std::floor(layout.py(tick.value));
     addRule(layer, layout.plot.x - w - 5 * s.unit, y, 5 * s.unit, w, layout.theme.axis);
-    const float baseline = std::min(y + rise, layout.plot.bottom());
+    const float baseline = std::min(y + kMiddleOfText * s.small, layout.plot.bottom());
     addLabel(list, tick.label, {layout.plot.x - 8 * s.unit, std::round(baseline)}, s.small,
              TextAnchor::Right, layout.theme.faintText);
   }

@@ -36,13 +36,13 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
   const CurveRows line = curveRows(frame, frame.lineHeight, layout);
   std::vector<std::pair<float, float>> spaces{{left, right}};
   std::vector<PlacedTag> placed;
-  const auto place = [&](const Tag& tag, float wanted, bool exactly) {
+  const auto place = [&](const Tag& tag, float preferred, bool exactly) {
     const float width = painter.width(tag);
     for (auto& [from, to] : spaces) {
-      if (exactly && (wanted < from || wanted + width > to)) continue;
-      const float nearest = std::clamp(wanted, from, std::max(from, to - width));
+      if (exactly && (preferred < from || preferred + width > to)) continue;
+      const float nearest = std::clamp(preferred, from, std::max(from, to - width));
       const auto free = freeSpanAbove(line, {nearest, y, width, painter.height()},
-                                      exactly ? wanted : from, exactly ? wanted + width : to);
+                                      exactly ? preferred : from, exactly ? preferred + width : to);
       if (!free) continue;
       const float x = std::round(*free);
       placed.push_back({tag, x});
@@ -195,8 +195,7 @@ float footerWidth(const Notes& notes, const ContactLayout& layout) {
 
 /// Puts the note into the footer, before a less important one; returns false where it does not fit.
 bool footerWith(Notes& notes, const FooterNote& note, const ContactLayout& layout) {
-  Notes wanted{notes.front(), note};
-  if (footerWidth(wanted, layout) > layout.footerWidth) return false;
+  if (footerWidth({notes.front(), note}, layout) > layout.footerWidth) return false;
   notes.insert(notes.begin() + 1, note);
   return true;
 }

@@ -66,7 +66,8 @@ bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
   const float last = textWidth(layout.scale.ticks(2, title.empty()).back().label, s.small);
   const float height = std::round(10 * s.unit);
   layout.legend.bar = {std::round(right - last - kNumberGap * s.unit - needs.bar),
-                       std::round(baseline - s.small * 0.36F - height / 2), needs.bar, height};
+                       std::round(baseline - s.small * kMiddleOfText - height / 2), needs.bar,
+                       height};
   layout.legend.titleEnd.x = right - needs.width + textWidth(title, s.small);
   return true;
 }
@@ -151,6 +152,84 @@ std::string exaggerationText(const ContactLayout& layout) {
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
 }
 
+namespace {
+
+float padding(const ContactLayout& layout) {
+  return std::round(10 * layout.sizes.unit);
+}
+
+/// The legend as it fits the footer of a high picture.
+struct FooterLegend {
+  std::string title;  // of the colours, or the reason why there are none
+  float titleWidth = 0, barWidth = 0;
+  bool hasTitle = false;    // the title fits beside the bar
+  bool isInOneRow = false;  // the exaggeration fits beside both
+};
+
+FooterLegend footerLegend(const ContactLayout& layout, const std::string& reason) {
+  const Sizes& s = layout.sizes;
+  const float u = s.unit, pad = padding(layout), width = static_cast<float>(layout.width);
+  FooterLegend legend;
+  legend.title = layout.scale.isShown() ? layout.scale.title() : reason;
+  legend.titleWidth = textWidth(legend.title, s.small);
+  // Decades need more space for their numbers than equal steps do.
+  const bool isPower = layout.scale.overlay == ContactOverlay::Power;
+  legend.barWidth = std::round(isPower ? std::clamp(width * 0.26F, 150 * u, 360 * u)
+                                       : std::clamp(width * 0.2F, 110 * u, 300 * u));
+  const float heightAxis = s.small * 4.5F;  // its title and usual numbers
+  const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
+  legend.hasTitle = legend.titleWidth + legend.barWidth + 4 * pad < width;
+  legend.isInOneRow =
+      heightAxis + exaggeration + legend.titleWidth + legend.barWidth + 5 * pad < width;
+  return legend;
+}
+
+/// Places the plot, whose left edge the labels of the height axis determine, and the axes.
+void placePlot(ContactLayout& layout, float top, float bottom, float plotLeft) {
+  const Sizes& s = layout.sizes;
+  const float u = s.unit, pad = padding(layout), width = static_cast<float>(layout.width);
+  layout.plot.y = top;
+  layout.plot.height = std::max(1.0F, bottom - top);
+  layout.heightTicks =
+      yTicks(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
+  if (!layout.axisTitles) nameUnit(layout.heightTicks);
+  const float left = widestLabel(layout.heightTicks.ticks, s.small) + 9 * u + pad +
+                     (layout.axisTitles ? s.small * 1.6F : 0);
+  layout.plot.x = std::round(std::max(left, plotLeft));
+  layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
+  layout.xTicks = sparseTicks(layout.view.left, layout.view.left + layout.view.width,
+                              layout.plot.width, s.small, "m");
+  if (!layout.axisTitles) {
+    nameUnit(layout.xTicks);
+    dropTicksUnderLast(layout);
+  }
+  const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
+  layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};
+}
+
+/// Places the legend and the exaggeration below the axis.
+void placeFooter(ContactLayout& layout, const FooterLegend& legend) {
+  const Sizes& s = layout.sizes;
+  const float u = s.unit, pad = padding(layout), width = static_cast<float>(layout.width);
+  const float bar = std::round(10 * u);
+  const float top = std::round(static_cast<float>(layout.height) - s.small * 1.6F - bar - 3 * u);
+  const float middle = std::round(top + bar / 2 + s.small * kMiddleOfText);
+  if (legend.hasTitle && layout.scale.isShown()) {
+    layout.legend.bar = {std::round(width - 2 * pad - legend.barWidth), top, legend.barWidth, bar};
+    layout.legend.titleEnd = {layout.legend.bar.x - kTitleGap * u, middle};
+  } else {
+    layout.legend.titleEnd = {layout.plot.right(), middle};
+  }
+  if (legend.hasTitle) layout.legend.title = legend.title;
+  layout.footer = legend.isInOneRow ? middle : std::round(top - s.small * 0.8F);
+  const float footerEnd = legend.isInOneRow && !layout.legend.title.empty()
+                              ? layout.legend.titleEnd.x - legend.titleWidth - 3 * pad
+                              : width - 2 * pad;
+  layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
+}
+
+}  // namespace
+
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
                             float headerBottom) {
   ContactLayout layout;
@@ -167,72 +246,27 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   const bool hasLegend = layout.scale.isShown() || !reason.empty();
   const Sizes& s = layout.sizes;
   const float u = s.unit;
-  const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
 
-  const float pad = std::round(10 * u);
+  const float pad = padding(layout);
   const float tickRow = std::round(8 * u + s.small);
   const float titleRow = std::round(s.small * 1.5F);
   const float footerRow = std::round(s.small * 2.9F);
-  const float available = height - headerBottom - pad;
+  const float available = static_cast<float>(options.height) - headerBottom - pad;
   layout.axisTitles = available - tickRow > 90 * u;
-  const bool footer = available - tickRow - titleRow - footerRow > 150 * u;
-
-  // The labels of the height axis determine the left edge.
-  const float plotTop = std::round(headerBottom + pad);
-  float below = tickRow + pad * 0.6F;
+  const bool hasFooter = available - tickRow - titleRow - footerRow > 150 * u;
   const bool hasLine =
       layout.axisTitles || (hasLegend && available - tickRow - titleRow > kLowest * u);
+  const FooterLegend legend = footerLegend(layout, reason);
+  float below = tickRow + pad * 0.6F;
   if (hasLine) below += titleRow;
-  const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
-  const std::string title = layout.scale.isShown() ? layout.scale.title() : reason;
-  const float titleWidth = textWidth(title, s.small);
-  // Decades need more space for their numbers than equal steps do.
-  const bool isPower = layout.scale.overlay == ContactOverlay::Power;
-  const float barWidth = std::round(isPower ? std::clamp(width * 0.26F, 150 * u, 360 * u)
-                                            : std::clamp(width * 0.2F, 110 * u, 300 * u));
-  const float heightAxis = s.small * 4.5F;  // its title and usual numbers
-  const bool oneRow = heightAxis + exaggeration + titleWidth + barWidth + 5 * pad < width;
-  const bool titleFits = titleWidth + barWidth + 4 * pad < width;
-  if (footer) below += oneRow ? footerRow : footerRow + titleRow;
-  layout.plot.y = plotTop;
-  layout.plot.height = std::max(1.0F, std::round(height - below) - plotTop);
-  layout.heightTicks =
-      yTicks(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
-  if (!layout.axisTitles) nameUnit(layout.heightTicks);
-  const float left = widestLabel(layout.heightTicks.ticks, s.small) + 9 * u + pad +
-                     (layout.axisTitles ? s.small * 1.6F : 0);
-  layout.plot.x = std::round(std::max(left, options.plotLeft));
-  layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
-  layout.xTicks = sparseTicks(layout.view.left, layout.view.left + layout.view.width,
-                              layout.plot.width, s.small, "m");
-  if (!layout.axisTitles) {
-    nameUnit(layout.xTicks);
-    dropTicksUnderLast(layout);
-  }
+  if (hasFooter) below += legend.isInOneRow ? footerRow : footerRow + titleRow;
+  const float top = std::round(headerBottom + pad);
+  placePlot(layout, top, std::round(static_cast<float>(options.height) - below), options.plotLeft);
   layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreX());
-  const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
-  layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};
-  if (!footer) {
-    if (hasLine) placeInLine(layout, reason);
-    return layout;
-  }
-
-  const float bar = std::round(10 * u);
-  const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
-  const float middle = std::round(legendTop + bar / 2 + s.small * 0.36F);
-  if (titleFits && layout.scale.isShown()) {
-    layout.legend.bar = {std::round(width - 2 * pad - barWidth), legendTop, barWidth, bar};
-    layout.legend.titleEnd = {layout.legend.bar.x - kTitleGap * u, middle};
-  } else {
-    layout.legend.titleEnd = {layout.plot.right(), middle};
-  }
-  if (titleFits && hasLegend) layout.legend.title = title;
-  layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
-                         : std::round(legendTop - s.small * 0.8F);
-  const float footerEnd = oneRow && !layout.legend.title.empty()
-                              ? layout.legend.titleEnd.x - titleWidth - 3 * pad
-                              : width - 2 * pad;
-  layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
+  if (hasFooter)
+    placeFooter(layout, legend);
+  else if (hasLine)
+    placeInLine(layout, reason);
   return layout;
 }
 

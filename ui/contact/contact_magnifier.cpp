@@ -80,17 +80,17 @@ class ScaleBars {
  public:
   explicit ScaleBars(const ContactLayout& inset)
       : inset_(inset),
-        length_(barLength(inset.view.width)),
-        rise_(barLength(inset.view.top - inset.view.bottom)),
-        width_(static_cast<float>(length_ * inset.pixelsPerMetreX())),
-        height_(static_cast<float>(rise_ * inset.pixelsPerMetreY())) {}
+        horizontal_(barLength(inset.view.width)),
+        vertical_(barLength(inset.view.top - inset.view.bottom)),
+        width_(static_cast<float>(horizontal_ * inset.pixelsPerMetreX())),
+        height_(static_cast<float>(vertical_ * inset.pixelsPerMetreY())) {}
 
   /// Returns the plate in the lower left corner, or in the right one.
   Box plate(bool isRight) const {
     const Sizes& s = inset_.sizes;
     const float u = s.unit, edge = std::round(4 * u);
-    const float texts = std::max(textWidth(quantity(rise_, "m"), s.small),
-                                 width_ + 5 * u + textWidth(quantity(length_, "m"), s.small));
+    const float texts = std::max(textWidth(quantity(vertical_, "m"), s.small),
+                                 width_ + 5 * u + textWidth(quantity(horizontal_, "m"), s.small));
     const Box box{inset_.plot.x + edge, 0, texts + 10 * u, height_ + 13 * u + s.small};
     return {isRight ? inset_.plot.right() - edge - box.width : box.x,
             inset_.plot.bottom() - edge - box.height, box.width, box.height};
@@ -104,16 +104,17 @@ class ScaleBars {
     addRectangle(layer, plate, withAlpha(mix(inset_.theme.elastomer, {0, 0, 0, 1}, 0.3F), 0.75F));
     addLine(layer, {{corner.x, corner.y - height_}, corner, {corner.x + width_, corner.y}}, 2 * u,
             ink);
-    addLabel(list, quantity(rise_, "m"), {corner.x - 2 * u, std::round(corner.y - height_ - 5 * u)},
-             s.small, TextAnchor::Left, ink);
-    addLabel(list, quantity(length_, "m"),
+    addLabel(list, quantity(vertical_, "m"),
+             {corner.x - 2 * u, std::round(corner.y - height_ - 5 * u)}, s.small, TextAnchor::Left,
+             ink);
+    addLabel(list, quantity(horizontal_, "m"),
              {corner.x + width_ + 5 * u, std::round(corner.y + 0.2F * s.small)}, s.small,
              TextAnchor::Left, ink);
   }
 
  private:
   const ContactLayout& inset_;
-  double length_, rise_;  // m
+  double horizontal_, vertical_;  // m, of the bars
   float width_, height_;
 };
 

@@ -28,7 +28,7 @@ struct PreparedPicture {
   DrawList list;
   ContactLayout layout;
 };
-PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked);
+PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& requested);
 
 /// Adds title and readings; returns the pixels that they take from the top.
 float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options);

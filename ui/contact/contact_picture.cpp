@@ -23,9 +23,10 @@ ContactPictureOptions withMinimumSize(ContactPictureOptions options) {
 // Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
 constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
-// Largest part of the plot's height above the line that labels are given, and a part beyond what
-// they need, so that a line that moves up a little changes nothing.
-constexpr double kMaxLabelSpace = 0.3, kSpareSpace = 0.03;
+// Largest part of the plot's height above the line that labels are given, which is what they need
+// in the lowest plot that has any, and a part beyond what they need, so that a line that moves up a
+// little changes nothing.
+constexpr double kMaxLabelSpace = 0.34, kSpareSpace = 0.03;
 constexpr double kMaxPeriods = 50;
 
 /// Returns the heights of both bodies, m; 0 where there are none.
@@ -98,8 +99,8 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
   return resolved;
 }
 
-PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked) {
-  PreparedPicture prepared{withMinimumSize(asked), {}, {}};
+PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& requested) {
+  PreparedPicture prepared{withMinimumSize(requested), {}, {}};
   const ContactPictureOptions& options = prepared.options;
   prepared.list.width = options.width;
   prepared.list.height = options.height;
@@ -109,12 +110,12 @@ PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& 
   return prepared;
 }
 
-Box contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
-  return prepareContact(frame, asked).layout.plot;
+Box contactPlotArea(const Frame& frame, const ContactPictureOptions& requested) {
+  return prepareContact(frame, requested).layout.plot;
 }
 
-double labelSpace(const Frame& frame, const ContactPictureOptions& asked) {
-  const ContactLayout layout = prepareContact(frame, asked).layout;
+double labelSpace(const Frame& frame, const ContactPictureOptions& requested) {
+  const ContactLayout layout = prepareContact(frame, requested).layout;
   const double needed = labelRowBottom(layout) - layout.plot.y + 1;
   const double part = needed / layout.plot.height;
   return part < kMaxLabelSpace ? part : 0;
@@ -124,9 +125,9 @@ float contactUnit(const ContactPictureOptions& options) {
   return sizesFor(withMinimumSize(options)).unit;
 }
 
-DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked,
+DrawList composeContact(const Frame& frame, const ContactPictureOptions& requested,
                         std::vector<LabelPlace>* places) {
-  PreparedPicture prepared = prepareContact(frame, asked);
+  PreparedPicture prepared = prepareContact(frame, requested);
   const ContactPictureOptions& options = prepared.options;
   const ContactLayout& layout = prepared.layout;
   DrawList& list = prepared.list;

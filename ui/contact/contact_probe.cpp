@@ -191,7 +191,8 @@ void addReadout(DrawList& list, const Readout& readout, const Box& box,
   addRectangle(layer, box, paper);
   list.layers.push_back(std::move(layer));
   const float size = layout.sizes.small;
-  float baseline = box.y + 0.7F * readout.inset + std::round(0.5F * readout.row + 0.36F * size);
+  float baseline =
+      box.y + 0.7F * readout.inset + std::round(0.5F * readout.row + kMiddleOfText * size);
   for (const ProbeLine& line : readout.lines) {
     addText(list, {{line.label}}, {box.x + readout.inset, std::round(baseline)}, size, t.faintText);
     const float width = textWidth(line.value, size, true);

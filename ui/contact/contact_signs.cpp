@@ -83,8 +83,8 @@ Labels makeLabels(PreparedPicture& prepared, const Frame& frame) {
 
 }  // namespace
 
-std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& asked) {
-  PreparedPicture prepared = prepareContact(frame, asked);
+std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& requested) {
+  PreparedPicture prepared = prepareContact(frame, requested);
   std::vector<ContactSign> signs = contactReadings(frame, prepared.options);
   Labels labels = makeLabels(prepared, frame);
   for (ContactSign& label : labels.signs)
@@ -123,9 +123,10 @@ std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPicture
   return labels;
 }
 
-ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
+ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& requested, float x,
+                       float y) {
   constexpr float kReach = 5;  // units below the line that still belong to the rigid body
-  PreparedPicture prepared = prepareContact(frame, asked);
+  PreparedPicture prepared = prepareContact(frame, requested);
   for (const ContactSign& sign : makeLabels(prepared, frame).signs)
     if (sign.box.contains(x, y)) return sign.handle;
   const ContactPictureOptions& options = prepared.options;

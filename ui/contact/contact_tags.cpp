@@ -40,7 +40,7 @@ void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
   if (std::ranges::any_of(layout_.covered, covers)) return;
   addPill(plates_, box, withAlpha(plate, 0.86F));
   const Rgba colour = textOn(plate);
-  const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
+  const float baseline = std::round(topLeft.y + height() / 2 + size_ * kMiddleOfText);
   float x = topLeft.x + inset_;
   if (!tag.before.empty()) x = addText(list_, tag.before, {x, baseline}, size_, colour);
   if (tag.arrow != ArrowDirection::None) {

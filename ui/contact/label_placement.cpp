@@ -134,16 +134,16 @@ CurveRows curveRows(const Frame& frame, const std::vector<double>& heights,
   return rows;
 }
 
-std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& wanted, float from,
+std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& preferred, float from,
                                    float to) {
   constexpr float kStep = 4;  // pixels
   const auto isClear = [&](float x) {
     // Everything above counts as covered: a label below the line is on the elastomer or in the gap.
-    const Box above{x, wanted.y - 1e6F, wanted.width, 1e6F + wanted.height};
-    return x >= from && x + wanted.width <= to && !curve.crosses(above);
+    const Box above{x, preferred.y - 1e6F, preferred.width, 1e6F + preferred.height};
+    return x >= from && x + preferred.width <= to && !curve.crosses(above);
   };
   for (float away = 0; away <= to - from; away += kStep)
-    for (const float x : {wanted.x - away, wanted.x + away})
+    for (const float x : {preferred.x - away, preferred.x + away})
       if (isClear(x)) return x;
   return std::nullopt;
 }

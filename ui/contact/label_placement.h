@@ -39,9 +39,10 @@ struct CurveRows {
 CurveRows curveRows(const Frame& frame, const std::vector<double>& heights,
                     const ContactLayout& layout);
 
-/// Returns the left end of a box that is moved sideways from `wanted` as little as possible, within
-/// `from` to `to`, so that it is above the curve now; none where there is no such position.
-std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& wanted, float from, float to);
+/// Returns the left end of a box that is moved sideways from `preferred` as little as possible,
+/// within `from` to `to`, so that it is above the curve now; none where there is no such position.
+std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& preferred, float from,
+                                   float to);
 
 enum class Body { Rigid, Elastomer };
 

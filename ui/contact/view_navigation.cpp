@@ -89,9 +89,9 @@ ViewNavigation ViewNavigation::zoomed(const ViewPosition& at, double xFactor, do
   next.left_ = left_ + at.x * (width_ - width);
   next.width_ = width;
   const double size = top_ - bottom_;
-  const double wanted = std::clamp(size / usable(yFactor), kMinHeights, kMaxHeights);
-  next.bottom_ = bottom_ + at.y * (size - wanted);
-  next.top_ = next.bottom_ + wanted;
+  const double nextSize = std::clamp(size / usable(yFactor), kMinHeights, kMaxHeights);
+  next.bottom_ = bottom_ + at.y * (size - nextSize);
+  next.top_ = next.bottom_ + nextSize;
   return next.within(finest);
 }
 

@@ -99,8 +99,8 @@ QByteArray cutFont(const QByteArray& file, const std::set<char32_t>& characters)
   const Face whole = makeFace(file);
   const SubsetInput input(hb_subset_input_create_or_fail());
   if (!input) throw std::runtime_error("There is no memory to cut a font.");
-  hb_set_t* const wanted = hb_subset_input_unicode_set(input.get());
-  for (const char32_t character : characters) hb_set_add(wanted, character);
+  hb_set_t* const kept = hb_subset_input_unicode_set(input.get());
+  for (const char32_t character : characters) hb_set_add(kept, character);
   hb_set_t* const dropped = hb_subset_input_set(input.get(), HB_SUBSET_SETS_DROP_TABLE_TAG);
   for (const hb_tag_t table : {HB_TAG('G', 'S', 'U', 'B'), HB_TAG('G', 'P', 'O', 'S'),
                                HB_TAG('G', 'D', 'E', 'F'), HB_TAG('k', 'e', 'r', 'n')})

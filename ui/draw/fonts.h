@@ -21,6 +21,9 @@ namespace asperity {
 
 inline constexpr float kAdvancesPerSize = 2048;
 
+/// Height of the middle of capitals and digits above their baseline, in sizes of the font.
+inline constexpr float kMiddleOfText = 0.36F;
+
 inline constexpr float kSmallestFont = 7;  // pixels; smaller letters are illegible
 
 /// Returns the factor of fonts and lines in a picture that is this many times as large as a usual

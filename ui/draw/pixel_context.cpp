@@ -71,9 +71,9 @@ inline void blend(std::uint8_t* pixel, const Paint& paint) {
 
 /// Returns the first pixel whose centre is at or after this position, between `from` >= 0 and `to`.
 int pixelAt(double place, int from, int to) {
-  const double wanted = std::min(std::max(place - 0.5, double(from)), double(to));
-  const int below = static_cast<int>(wanted);
-  return below + (below < wanted ? 1 : 0);
+  const double bounded = std::min(std::max(place - 0.5, double(from)), double(to));
+  const int below = static_cast<int>(bounded);
+  return below + (below < bounded ? 1 : 0);
 }
 
 /// The pixels that may be changed: rows and columns of a picture, from its top left.

@@ -12,8 +12,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
-#include "core/scene/provenance.h"
-#include "ui/language/language.h"
 
 namespace asperity {
 namespace {
@@ -89,6 +87,8 @@ std::string deflated(const std::vector<std::uint8_t>& rows) {
   return data;
 }
 
+}  // namespace
+
 bool isOpaque(const QImage& image) {
   const int width = image.width(), height = image.height();
   const QRgb opaque = qToBigEndian(QRgb{255});  // RGBA in memory
@@ -100,8 +100,6 @@ bool isOpaque(const QImage& image) {
   }
   return true;
 }
-
-}  // namespace
 
 std::string encodePng(const QImage& given, const PngOptions& options) {
   if (given.isNull()) throw std::runtime_error("an empty picture cannot be encoded as PNG");
@@ -137,22 +135,6 @@ void writePng(const std::filesystem::path& path, const QImage& image, const PngO
 
 std::string pngMetadata(std::string_view bytes) {
   return bytes.starts_with(kSignature) ? embeddedProvenance(bytes) : std::string();
-}
-
-void addLanguage(nlohmann::ordered_json& picture) {
-  if (presentLanguage() != "en") picture["language"] = presentLanguage();
-}
-
-void nameLanguage(nlohmann::ordered_json& origin) {
-  nlohmann::ordered_json picture;
-  addLanguage(picture);
-  if (!picture.is_null()) origin["picture"] = picture;
-}
-
-std::string pictureOrigin(const std::string& verb, const Scene& scene) {
-  nlohmann::ordered_json origin = provenance(verb, scene);
-  nameLanguage(origin);
-  return provenanceLine(origin);
 }
 
 }  // namespace asperity

@@ -3,21 +3,10 @@
 
 #include <QImage>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
-
-#include "core/scene/scene.h"
-#include "ui/draw/draw_list.h"
+#include <string_view>
 
 namespace asperity {
-
-/// Texts and size that a picture file of any format contains besides the picture.
-struct PictureProperties {
-  std::string title;       // of the document; empty: none
-  std::string metadata;    // any UTF-8 text; the program writes the provenance; empty: none
-  double scale = 1;        // pixels of the picture to one pixel at 96 per inch: its size on paper
-  bool isOnPaper = false;  // the size was given as lengths: an SVG has them in millimetres
-};
 
 struct PngOptions {
   std::string title;       // kept as the text chunk "Title"; empty: none
@@ -38,13 +27,7 @@ void writePng(const std::filesystem::path& path, const QImage& image,
 /// Returns the text chunk "asperity" of a PNG's bytes; empty where there is none.
 std::string pngMetadata(std::string_view bytes);
 
-/// Adds "language" to a picture's provenance, unless it is English.
-void addLanguage(nlohmann::ordered_json& picture);
-
-/// Adds the language to the provenance of a picture that has no other options.
-void nameLanguage(nlohmann::ordered_json& origin);
-
-/// Returns the provenance of a picture without options except for the language, as one line.
-std::string pictureOrigin(const std::string& verb, const Scene& scene);
+/// Returns whether no pixel of an image in the format RGBA8888 is transparent.
+bool isOpaque(const QImage& image);
 
 }  // namespace asperity

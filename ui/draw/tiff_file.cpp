@@ -72,12 +72,8 @@ bool canWriteTiff() {
 std::string tiffBytes(const QImage& given, const PngOptions& options) {
   if (given.isNull()) throw std::runtime_error("An empty picture cannot be a TIFF file.");
   const QImage rgba = given.convertToFormat(QImage::Format_RGBA8888);
-  bool isOpaque = true;
-  for (int row = 0; row < rgba.height() && isOpaque; ++row) {
-    const uchar* line = rgba.constScanLine(row);
-    for (int i = 0; i < rgba.width(); ++i) isOpaque = isOpaque && line[4 * i + 3] == 255;
-  }
-  const QImage image = isOpaque ? rgba.convertToFormat(QImage::Format_RGB888) : rgba;
+  const bool hasAlpha = !isOpaque(rgba);
+  const QImage image = hasAlpha ? rgba : rgba.convertToFormat(QImage::Format_RGB888);
   MemoryFile file;
   {
     const std::unique_ptr<TIFF, Destroyer<TIFFClose>> tiff(
@@ -88,14 +84,14 @@ std::string tiffBytes(const QImage& given, const PngOptions& options) {
     set(TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(image.width()));
     set(TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height()));
     set(TIFFTAG_BITSPERSAMPLE, 8);
-    set(TIFFTAG_SAMPLESPERPIXEL, isOpaque ? 3 : 4);
+    set(TIFFTAG_SAMPLESPERPIXEL, hasAlpha ? 4 : 3);
     set(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
     set(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     set(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
     set(TIFFTAG_COMPRESSION, COMPRESSION_LZW);
     set(TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
     set(TIFFTAG_SOFTWARE, "Asperity");
-    if (!isOpaque) {
+    if (hasAlpha) {
       const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
       TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &alpha);
     }
@@ -110,7 +106,7 @@ std::string tiffBytes(const QImage& given, const PngOptions& options) {
     set(TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff.get(), 0));
     // libtiff changes the row that it is given.
     std::string row;
-    const auto size = static_cast<std::size_t>(image.width()) * (isOpaque ? 3 : 4);
+    const auto size = static_cast<std::size_t>(image.width()) * (hasAlpha ? 4 : 3);
     for (int i = 0; i < image.height(); ++i) {
       row.assign(reinterpret_cast<const char*>(image.constScanLine(i)), size);
       if (TIFFWriteScanline(tiff.get(), row.data(), static_cast<std::uint32_t>(i)) < 0)

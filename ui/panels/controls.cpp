@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFontDatabase>
+#include <QFormLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHelpEvent>
@@ -85,11 +86,15 @@ QLabel* warningTextLabel(const QString& name) {
   return roleLabel(name, "warning");
 }
 
-void showWarnings(QLabel& label, const QStringList& warnings) {
+QString warningLines(const QStringList& warnings) {
   QStringList lines;
   for (const QString& warning : warnings) lines += QStringLiteral("⚠ ") + warning;
-  label.setText(keptTogether(lines.join('\n')));
-  label.setVisible(!lines.isEmpty());
+  return lines.join('\n');
+}
+
+void showWarnings(QLabel& label, const QStringList& warnings) {
+  label.setText(keptTogether(warningLines(warnings)));
+  label.setVisible(!warnings.isEmpty());
 }
 
 QProgressBar* thinProgress(const QString& name, int width) {
@@ -117,6 +122,7 @@ QMessageBox::StandardButton ask(
   box.setInformativeText(question.explanation);
   for (const auto& [button, text] : answers) box.addButton(button)->setText(text);
   box.setDefaultButton(usual);
+  if (!box.button(QMessageBox::Cancel)) box.setEscapeButton(usual);
   return static_cast<QMessageBox::StandardButton>(box.exec());
 }
 
@@ -312,7 +318,7 @@ bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
 
-QColor faultColour(const QPalette& palette) {
+QColor errorColour(const QPalette& palette) {
   return isDark(palette) ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);
 }
 
@@ -357,7 +363,7 @@ QString panelStyleSheet(const QPalette& palette) {
     QToolButton[role="reset"]:disabled { color: transparent; }
   )")
              .arg(name(QPalette::Window), name(QPalette::WindowText),
-                  name(QPalette::PlaceholderText), faultColour(palette).name(),
+                  name(QPalette::PlaceholderText), errorColour(palette).name(),
                   name(QPalette::Base), name(QPalette::Mid), name(QPalette::Highlight)) +
          messageStyleSheet(palette);
 }
@@ -368,7 +374,7 @@ QString messageStyleSheet(const QPalette& palette) {
     QLabel[role="note"] { color: %2; }
     QLabel[role="warning"] { color: %3; padding-bottom: 3px; }
   )")
-      .arg(faultColour(palette).name(), palette.color(QPalette::Highlight).name(),
+      .arg(errorColour(palette).name(), palette.color(QPalette::Highlight).name(),
            warningColour(palette).name());
 }
 
@@ -508,6 +514,11 @@ QPoint tipBeside(const QString& text, const QRect& place) {
 
 void keepTipsBeside(QWidget& widget) {
   new TipsBeside(widget);
+}
+
+void setRowShown(QFormLayout& form, QWidget* field, bool isShown) {
+  field->setVisible(isShown);
+  if (QWidget* label = form.labelForField(field)) label->setVisible(isShown);
 }
 
 QFont boldFont(QFont font) {

@@ -16,6 +16,7 @@
 #include <initializer_list>
 #include <utility>
 
+class QFormLayout;
 class QPainter;
 class QPalette;
 class QProgressBar;
@@ -62,7 +63,9 @@ void setMessage(QLabel& label, const QString& text, MessageKind kind);
 
 /// Makes such a label for warnings, in the colour that they have everywhere in a window.
 QLabel* warningTextLabel(const QString& name);
-/// Shows the warnings, each in a line after its sign; without any it hides the label.
+/// Returns the warnings, each in a line after its sign.
+QString warningLines(const QStringList& warnings);
+/// Shows such lines; without any it hides the label.
 void showWarnings(QLabel& label, const QStringList& warnings);
 
 /// Makes a thin bar of progress without a text.
@@ -79,7 +82,8 @@ struct Question {
 };
 
 /// Asks a question and returns the button that was pressed. answers: the buttons with their texts,
-/// because not every desktop gives its standard buttons a shortcut letter.
+/// because not every desktop gives its standard buttons a shortcut letter. The Escape key means
+/// Cancel, or the usual answer where there is no Cancel.
 QMessageBox::StandardButton ask(
     QWidget* parent, const Question& question,
     std::initializer_list<std::pair<QMessageBox::StandardButton, QString>> answers,
@@ -175,7 +179,7 @@ class TextBox : public QPlainTextEdit {
 bool isDark(const QPalette& palette);
 
 /// Returns the colour of error messages, legible on the palette's background.
-QColor faultColour(const QPalette& palette);
+QColor errorColour(const QPalette& palette);
 /// Returns that of warnings.
 QColor warningColour(const QPalette& palette);
 
@@ -230,6 +234,9 @@ QPoint tipBelow(const QRect& place, int x);
 /// Shows the tips of what is in the widget now beside the widget, so that they do not cover what is
 /// below it, to which the pointer moves next.
 void keepTipsBeside(QWidget& widget);
+
+/// Shows or hides a field of a form with its label.
+void setRowShown(QFormLayout& form, QWidget* field, bool isShown);
 
 /// Returns the font in bold letters.
 QFont boldFont(QFont font);

@@ -41,6 +41,11 @@ QString valueText(const ParameterValue& value) {
   return QString::fromStdString(std::get<std::string>(value));
 }
 
+QString withoutTags(QString html) {
+  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
+  return html.remove(tag);
+}
+
 QString symbolHtml(std::string_view symbol) {
   QString text = fromUtf8(symbol);
   for (const auto& [name, letter] : {std::pair("tau", u'τ'), std::pair("eta", u'η'),

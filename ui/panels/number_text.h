@@ -22,6 +22,9 @@ QString quantityLabel(double value, std::string_view unit, int digits = 3);
 /// Returns the value as an entry field shows it.
 QString valueText(const ParameterValue& value);
 
+/// Returns rich text without its tags.
+QString withoutTags(QString html);
+
 /// Returns "F_N" and "tau" as rich text in italics: F with a lowered N, the Greek letter.
 QString symbolHtml(std::string_view symbol);
 

@@ -26,7 +26,7 @@ constexpr int kUnitDigits = 4;     // width of a unit, in digits
 
 }  // namespace
 
-/// The widgets of one row; owned by the table.
+/// The widgets of one row. The editor owns the row, and the table its widgets.
 class PairRow {
  public:
   PairRow(PairEditor& editor, QGridLayout& grid, std::size_t index)
@@ -217,9 +217,7 @@ void PairEditor::showTexts() {
   showFold();
 }
 
-PairEditor::~PairEditor() {
-  for (const PairRow* row : rows_) delete row;
-}
+PairEditor::~PairEditor() = default;
 
 void PairEditor::showPairs(Pairs pairs, std::optional<std::size_t> prescribed, bool replace) {
   const Pairs next = sorted(std::move(pairs));
@@ -296,12 +294,10 @@ void PairEditor::remove(std::size_t index) {
 }
 
 void PairEditor::makeRows(std::size_t count) {
-  for (; rows_.size() > count; rows_.pop_back()) {
-    rows_.back()->dispose();
-    delete rows_.back();
-  }
+  for (; rows_.size() > count; rows_.pop_back()) rows_.back()->dispose();
   if (rows_.size() == count) return;
-  while (rows_.size() < count) rows_.push_back(new PairRow(*this, *grid_, rows_.size()));
+  while (rows_.size() < count)
+    rows_.push_back(std::make_unique<PairRow>(*this, *grid_, rows_.size()));
   orderTabs(*fold_, *layout());
 }
 

@@ -9,6 +9,7 @@
 
 #include <QWidget>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -118,7 +119,7 @@ class PairEditor : public QWidget {
   Pairs pairs_;
   std::optional<std::size_t> prescribed_;  // number of rows
   std::optional<bool> opened_;             // by the user; otherwise a short list is open
-  std::vector<PairRow*> rows_;
+  std::vector<std::unique_ptr<PairRow>> rows_;
   QToolButton* fold_;
   QWidget* table_;
   QGridLayout* grid_;

@@ -265,10 +265,10 @@ void ParameterPanel::showRemarks(bool withWarnings) {
   QMap<ParameterRow*, QStringList> warnings;
   for (const Note note : notes_.list())
     if (ParameterRow* row = rows_->row(noteKey(note, scene_)))
-      warnings[row] += QStringLiteral("⚠ ") + translatedText(noteSentence(note));
+      warnings[row] += translatedText(noteSentence(note));
   keepInPlace([&] {
     for (ParameterRow* row : rows_->rows()) {
-      if (withWarnings) row->showWarning(warnings.value(row).join('\n'));
+      if (withWarnings) row->showWarning(warningLines(warnings.value(row)));
       row->showRunError(runErrors_.value(fromUtf8(row->parameter().key)));
     }
     arrange();
@@ -388,7 +388,7 @@ void ParameterPanel::resizeEvent(QResizeEvent* event) {
   chosenWidth_ = width() > minimumWidth() ? width() : std::min(chosenWidth_, width());
 }
 
-/// Escape that nothing in the panel needs clears the filter, as the panel says.
+/// Escape that nothing in the panel needs clears the filter, as its tooltip states.
 void ParameterPanel::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && bar_ && !bar_->words().isEmpty()) return clearFilter();
   QWidget::keyPressEvent(event);

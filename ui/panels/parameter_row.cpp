@@ -43,11 +43,11 @@ ParameterValue sliderValue(const Parameter& parameter, double value) {
 }
 
 /// Returns the width that a label needs where it is broken at spaces and hyphens.
-int longestWord(QString html, const QFont& font) {
-  static const QRegularExpression tag(QStringLiteral("<[^>]*>")), gap(QStringLiteral("\\s|(?<=-)"));
+int longestWord(const QString& html, const QFont& font) {
+  static const QRegularExpression gap(QStringLiteral("\\s|(?<=-)"));
   const QFontMetrics metrics(font);
   int longest = 0;
-  for (const QString& word : html.remove(tag).replace("&nbsp;", "_").split(gap))
+  for (const QString& word : withoutTags(html).replace("&nbsp;", "_").split(gap))
     longest = std::max(longest, metrics.horizontalAdvance(word));
   return longest + 1;
 }
@@ -55,13 +55,12 @@ int longestWord(QString html, const QFont& font) {
 /// Returns the width of the labels beside lists and texts. A very long one is broken into two
 /// lines, so that it does not take space from every list.
 int labelWidth(const QFont& font) {
-  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QFontMetrics metrics(font);
   const int longest = metrics.horizontalAdvance(QStringLiteral("relaxation time  T"));
   int width = 0;
   for (const Parameter& parameter : parameters()) {
     if (allowedRange(parameter)) continue;  // a number has its label in the same line
-    const QString text = labelWithSymbol(parameter).remove(tag);
+    const QString text = withoutTags(labelWithSymbol(parameter));
     const auto textWidth = [&metrics](QString part) {
       return metrics.horizontalAdvance(part.replace("&nbsp;", " "));
     };

@@ -87,8 +87,7 @@ bool isFound(const Parameter& parameter, const QStringList& words, bool inSenten
   const QString sentence =
       inSentence ? translatedText(parameter.sentence) + ' ' + fromUtf8(parameter.sentence)
                  : QString();
-  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
-  const QString symbol = symbolHtml(parameter.symbol).remove(tag);
+  const QString symbol = withoutTags(symbolHtml(parameter.symbol));
   return std::ranges::all_of(words, [&](const QString& word) {
     return isWordIn(word, text) || beginsWordIn(word, sentence) ||
            (!symbol.isEmpty() && word == symbol) || word == fromUtf8(parameter.symbol) ||

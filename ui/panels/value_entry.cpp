@@ -99,7 +99,9 @@ QString ValueEntry::shownText() const {
   if (hasFocus() || hasError() || isModified() || fits(text())) return text();
   bool isNumber = false;
   const double value = withPoint(text()).toDouble(&isNumber);
-  if (!isNumber) return text();
+  if (!isNumber)
+    return fontMetrics().elidedText(
+        text(), shownEnd_ == Qt::LeftEdge ? Qt::ElideRight : Qt::ElideLeft, width);
   for (int digits = kDigits; digits > 1; --digits)
     if (const QString shown = shownNumber(roundedToDigits(value, digits)); fits(shown))
       return shown;

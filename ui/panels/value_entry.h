@@ -31,7 +31,8 @@ class ValueEntry : public QLineEdit {
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
 
-  /// Returns the text as it is shown: without the focus, a number that does not fit is rounded.
+  /// Returns the text as it is shown: without the focus, a number that does not fit is rounded, and
+  /// another text is shortened with a sign at its hidden end.
   QString shownText() const;
 
  signals:

@@ -9,7 +9,6 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/number_text.h"
 
@@ -34,7 +33,7 @@ Span sliderSpan(const Parameter& parameter) {
 }
 
 /// Returns the span with a value in it, as far as the parameter allows.
-Span reaching(Span span, const Parameter& parameter, double value) {
+Span extended(Span span, const Parameter& parameter, double value) {
   const bool isLogarithmic = span.scale != Scale::Linear;
   if (!std::isfinite(value) || (isLogarithmic && !(value > 0))) return span;
   const AllowedRange allowed = *allowedRange(parameter);
@@ -50,11 +49,9 @@ Span reaching(Span span, const Parameter& parameter, double value) {
 
 }  // namespace
 
-SliderScale::SliderScale(const Parameter& parameter)
-    : SliderScale(parameter, std::numeric_limits<double>::quiet_NaN()) {}
-
-SliderScale::SliderScale(const Parameter& parameter, double value) {
-  const Span span = reaching(sliderSpan(parameter), parameter, value);
+SliderScale::SliderScale(const Parameter& parameter, std::optional<double> value) {
+  Span span = sliderSpan(parameter);
+  if (value) span = extended(span, parameter, *value);
   scale_ = span.scale;
   if (scale_ == Scale::LogarithmicFromNone) values_.push_back(0);
   const double low = coordinate(span.from);
@@ -105,6 +102,7 @@ ValueSlider::ValueSlider(const SliderScale& scale, QWidget* parent)
     : QSlider(Qt::Horizontal, parent), scale_(scale) {
   setScale(scale);
   setFocusPolicy(Qt::StrongFocus);  // the wheel does not give it the focus
+  setAttribute(Qt::WA_Hover);       // it is painted again when the pointer enters or leaves
   connect(this, &QSlider::valueChanged, this,
           [this](int position) { emit valuePicked(scale_.valueAt(position)); });
 }
@@ -186,16 +184,6 @@ void ValueSlider::keyPressEvent(QKeyEvent* event) {
 void ValueSlider::wheelEvent(QWheelEvent* event) {
   if (hasFocus()) return QSlider::wheelEvent(event);
   event->ignore();  // so that the panel scrolls
-}
-
-void ValueSlider::enterEvent(QEnterEvent* event) {
-  QSlider::enterEvent(event);
-  update();
-}
-
-void ValueSlider::leaveEvent(QEvent* event) {
-  QSlider::leaveEvent(event);
-  update();
 }
 
 void ValueSlider::paintEvent(QPaintEvent*) {

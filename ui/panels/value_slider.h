@@ -20,12 +20,9 @@ namespace asperity {
 
 class SliderScale {
  public:
-  /// Makes the scale of a row with a RealField or an IntegerField.
-  explicit SliderScale(const Parameter& parameter);
-
-  /// Makes the same scale, longer where the value lies beyond it: a linear one up to the value, a
-  /// logarithmic one up to the end of its decade.
-  SliderScale(const Parameter& parameter, double value);
+  /// Makes the scale of a row with a RealField or an IntegerField. It is longer where a value lies
+  /// beyond it: a linear one up to the value, a logarithmic one up to the end of its decade.
+  explicit SliderScale(const Parameter& parameter, std::optional<double> value = {});
 
   /// Returns whether the value lies between the ends.
   bool contains(double value) const { return value >= values_.front() && value <= values_.back(); }
@@ -73,8 +70,6 @@ class ValueSlider : public QSlider {
   void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
-  void enterEvent(QEnterEvent* event) override;
-  void leaveEvent(QEvent* event) override;
 
  private:
   double radius() const;

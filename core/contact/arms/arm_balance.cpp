@@ -467,6 +467,7 @@ ArmState slideWithArms(const PreparedProfile& line, ArmTables& tables, const Loa
   const PassSums sums = state.balance.sums ? *state.balance.sums
                                            : ArmSolver(line, tables, velocity).sums(state.balance);
   const ElementLaw& law = tables.law();
+  // The slowest arm stands for all: they are not elastic.
   state.result = steadyResult(
       line, {law.equilibriumModulus, law.arms.front().relaxationTime, velocity},
       Balance{force.depth, force.passes, std::max(force.residual, periodicityError)}, sums);

@@ -298,7 +298,7 @@ class ArmKernel {
     const double length = std::max(position - arcStart_, 0.0);
     work_.addLength(length);
     free_.add(arcStart_ - contactStart_, length);
-    sums_.freeStretches = free_.count();
+    sums_.gaps = free_.count();
     element_.template endArc<Everything>(length, sums_);
   }
 

@@ -229,7 +229,7 @@ void ArmPass::gatherArc(double position) {
   }
   sums_.depth += volume * length;
   free_.add(arcStart_ - contactStart_, length);
-  sums_.freeStretches = free_.count();
+  sums_.gaps = free_.count();
 }
 
 void ArmPass::enter(double position, double height) {

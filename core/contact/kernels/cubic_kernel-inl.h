@@ -155,7 +155,7 @@ class CubicKernel {
     lanes_.inverse[lane] = pass.inverse;
     lanes_.arcHeight[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
-    lanes_.freeStretches[lane] = 0;
+    lanes_.gaps[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
     lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
     lanes_.from[lane] = lanes_.isPressedAtLimit[lane] = lanes_.closes[lane] = 0;
@@ -192,7 +192,7 @@ class CubicKernel {
     sums.slopeSquared += slopes;
     sums.dissipation += pass.request.relaxationLength * slopes + lanes_.freeLoss[lane];
     sums.pressure += lanes_.sumPressure[lane];
-    sums.freeStretches += lanes_.freeStretches[lane];
+    sums.gaps += lanes_.gaps[lane];
     sums.segmentsInspected += part.segmentsInspected;
     lanes_.busy[lane] = 0;
     idle_[idleCount_++] = lane;

@@ -76,7 +76,7 @@ class LinearKernel {
     sums.stiffness = sums.contactLength + totalOf(freeStiffness_);
     sums.slopeSquared = line_.spacing * totalOf(wholeSlopes_) + totalOf(slopes_);
     sums.dissipation = relaxationLength_ * sums.slopeSquared + totalOf(freeLoss_);
-    sums.freeStretches = static_cast<double>(arcs_);
+    sums.gaps = static_cast<double>(arcs_);
     sums.pressure =
         depths + totalOf(depths_) - relaxationLength_ * (wholeClimb_ + totalOf(climbs_));
     return done;

@@ -17,8 +17,7 @@ PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
   PassSums sums;
   for (double PassSums::*member :
        {&PassSums::depth, &PassSums::stiffness, &PassSums::pressure, &PassSums::work,
-        &PassSums::dissipation, &PassSums::contactLength, &PassSums::slopeSquared,
-        &PassSums::freeStretches})
+        &PassSums::dissipation, &PassSums::contactLength, &PassSums::slopeSquared, &PassSums::gaps})
     sums.*member = lower.*member + share * (upper.*member - lower.*member);
   return sums;
 }

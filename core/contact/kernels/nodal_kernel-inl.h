@@ -62,9 +62,9 @@ class NodalKernel {
 
   HWY_INLINE V set(double value) const { return hn::Set(d_, value); }
   HWY_INLINE V zero() const { return hn::Zero(d_); }
-  /// Returns the loss over two stretches from that over one: l (2 - l).
+  /// Returns the loss over twice the distance from that over one: l (2 - l).
   HWY_INLINE V twice(V lost) const { return hn::Mul(lost, hn::Sub(set(2), lost)); }
-  /// Returns the height of a surface after a stretch.
+  /// Returns the height of a surface after this loss.
   HWY_INLINE V after(V height, V lost) const {
     return hn::MulAdd(hn::Sub(depth_, height), lost, height);
   }
@@ -104,7 +104,7 @@ class NodalKernel {
     surface_ = far;
   }
 
-  /// Adds a stretch to the loss since an element last touched.
+  /// Adds this loss to that since an element last touched.
   HWY_INLINE void forget(V lost) {
     lostSinceTouch_ = hn::MulAdd(hn::Sub(set(1), lostSinceTouch_), lost, lostSinceTouch_);
   }
@@ -204,7 +204,7 @@ class NodalKernel {
          [](NodalState& s) -> double& { return s.sums.slopeSquared; });
     // The first stretch goes on from the last one where both meet at the lowest node.
     give(hn::Sub(stretches_, hn::Mul(firstLoaded_, wasLoaded_)), states,
-         [](NodalState& s) -> double& { return s.sums.freeStretches; });
+         [](NodalState& s) -> double& { return s.sums.gaps; });
   }
 
   const PreparedProfile& line_;

@@ -24,8 +24,7 @@ struct PassSums {
   double dissipation = 0;    // m^2, c integral of y'^2 over all elements: F_x / 4G again
   double contactLength = 0;  // m
   double slopeSquared = 0;   // m, integral of z'^2 over the contact
-  // number of gaps between contact spots; 0 where contact is complete
-  double freeStretches = 0;
+  double gaps = 0;           // number, between contact spots; 0 where contact is complete
   // segments in which edges were computed: the cost of cubic passes
   double segmentsInspected = 0;
 };

@@ -13,7 +13,7 @@ struct FreeArc {
   double height, depth, position;
 };
 
-/// Adds up stretches of contact and free arcs. The two ways to either force share nothing.
+/// Adds up contact spots and free arcs. The two ways to either force share nothing.
 template <Output kOutput>
 class Gatherer {
  public:
@@ -40,7 +40,7 @@ class Gatherer {
     const double forgotten = -relaxationLength_ * std::expm1(-distance * inverse_);
     sums.depth += from.depth * forgotten;
     sums.stiffness += forgotten;
-    sums.freeStretches += 1;
+    sums.gaps += 1;
     if constexpr (kOutput == Output::Everything)
       sums.dissipation += 0.5 * from.depth * from.depth * -std::expm1(-2 * distance * inverse_);
   }

@@ -28,7 +28,7 @@ struct alignas(64) Lanes {
   Values surface;                                   // height of free lanes at the segment's end
   Values sumDepth, freeStiffness, freeLoss;         // m^2, m, m^2
   Values contactLength, slopeSquared, sumPressure;  // m, m, m^2
-  Values freeStretches;                             // number
+  Values gaps;                                      // number
   // Flags, 1 or 0:
   Values busy, touching;
   Values closes;            // a free arc ends with this segment at the latest
@@ -148,8 +148,8 @@ class SegmentStep {
   }
 
   /// Computes at most one edge of contact in each lane: where p vanishes in contact, where the line
-  /// reaches the free surface, or, for a free lane, where p vanishes after a pressed stretch, which
-  /// is where the line comes nearest to the free surface.
+  /// reaches the free surface, or, for a free lane, where p vanishes after an interval under
+  /// pressure, which is where the line comes nearest to the free surface.
   HWY_INLINE void findEvents() {
     arc_ = {depth_ - arcHeight_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
     const WideGap<WideCubic> rising{below(arcHeight_), arc_};
@@ -204,7 +204,7 @@ class SegmentStep {
     sumDepth_ = sumDepth_ + onlyIn(lanes, depth * forgotten);
     freeStiffness_ = freeStiffness_ + onlyIn(lanes, forgotten);
     freeLoss_ = freeLoss_ + onlyIn(lanes, energy);
-    (Wide::load(lanes_.freeStretches) + onlyIn(lanes, Wide::all(1))).store(lanes_.freeStretches);
+    (Wide::load(lanes_.gaps) + onlyIn(lanes, Wide::all(1))).store(lanes_.gaps);
   }
 
   /// Adds the sums between two positions in this segment, by the polynomial about the lower one.

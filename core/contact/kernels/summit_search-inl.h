@@ -188,7 +188,7 @@ class SummitSearch {
 
   const PreparedProfile& line_;
   double depth_, relaxationLength_, inverse_;
-  std::size_t start_ = 0;  // of the last or present stretch under pressure
+  std::size_t start_ = 0;  // of the last or present interval under pressure
   std::size_t next_ = 0;   // the first segment not compared yet
   // p > 0 before it; travel starts at the lowest point, which is in contact
   bool isRising_ = true;

@@ -116,7 +116,7 @@ TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_DOUBLE_EQ(parsed("v (m/s),mu (%)\n1,20\n2,30\n").points[0].mu, 0.2);
   EXPECT_DOUBLE_EQ(parsed("log10 v (m/s),mu\n-3,0.2\n-2,0.3\n").points[1].velocity, 1e-2);
   EXPECT_THAT(errorOf("v (m/s),mu,load (g)\n1,0.2,5\n2,0.3,5\n"),
-              HasSubstr("the unit g is unknown; known are N"));
+              HasSubstr("the unit g is unknown; known are N, kgf, gf, lbf, mN, uN, kN"));
   EXPECT_THAT(errorOf("v (furlongs),mu\n1,0.2\n2,0.3\n"),
               HasSubstr("the unit furlongs is unknown"));
   EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
@@ -552,9 +552,25 @@ TEST(FrictionData, ReadsScalesOfErrors) {
         << name;
   EXPECT_THAT(errorOf("v,mu,upper error,lower error\n1,0.5,0.1,0.1\n2,0.6,0.1,0.1\n"),
               HasSubstr("bounds of the"));
+  // The points are means, whose error is that of the mean.
+  for (const char* names : {"SD,SEM", "std dev,standard error"})
+    EXPECT_DOUBLE_EQ(parsed("v,mu," + std::string(names) + "\n1,0.5,0.1,0.02\n2,0.6,0.1,0.02\n")
+                         .points[0]
+                         .muError,
+                     0.02)
+        << names;
+  EXPECT_DOUBLE_EQ(parsed("v,mu,SEM,SD\n1,0.5,0.02,0.1\n2,0.6,0.02,0.1\n").points[0].muError, 0.02);
   // Beside a plain error the others are not needed.
   EXPECT_DOUBLE_EQ(parsed("v,mu,95% CI,std\n1,0.5,0.1,0.02\n2,0.6,0.1,0.02\n").points[0].muError,
                    0.02);
+}
+
+TEST(FrictionData, ReadsFrictionInNewtonsAsForce) {
+  const FrictionData data = parsed("v (mm/s),Friction (N),Load (N)\n1,25,50\n10,30,50\n");
+  EXPECT_DOUBLE_EQ(data.points[1].mu, 0.6);
+  EXPECT_DOUBLE_EQ(data.points[1].normalForce, 50);
+  EXPECT_THAT(errorOf("v (mm/s),Friction (N)\n1,25\n10,30\n"),
+              HasSubstr("a force of friction without a normal force"));
 }
 
 TEST(FrictionData, RefusesAForceOfFrictionAsLoad) {
@@ -615,6 +631,25 @@ TEST(FrictionData, RefusesAVelocityBesideASlip) {
       parsed("V (km/h),v_slip (m/s),slip (%),mu\n30,1,2,0.3\n60,2,2,0.4\n").points[0].velocity, 1);
   EXPECT_THAT(errorOf("V (km/h),v (m/s),mu\n30,1,0.3\n60,2,0.4\n"),
               HasSubstr("has two columns of the velocity: V and v"));
+}
+
+/// A slip above the table holds for all rows.
+TEST(FrictionData, RefusesAVelocityBelowASlip) {
+  for (const char* line : {"Slip angle [deg]: 15", "Slip angle: 15 deg", "# slip = 7 %",
+                           "Schlupf: 10 %", "Schr\u00E4glaufwinkel = 5", "Slip ratio 0.1"})
+    EXPECT_THAT(errorOf(std::string(line) + "\nV (km/h),mu\n30,0.3\n60,0.4\n"),
+                HasSubstr("line 1: with a slip, the velocity of sliding may not be that of"))
+        << line;
+  for (const char* line :
+       {"Slip angle: 15 deg", "Stick-slip: 2 of 5 tests", "Slip: none", "Slip distance: 40 mm"})
+    EXPECT_DOUBLE_EQ(
+        parsed(std::string(line) + "\nsliding speed (m/s),mu\n1,0.3\n2,0.4\n").points[0].velocity,
+        1)
+        << line;
+  for (const char* line : {"Stick-slip: 2 of 5 tests", "Slip: none", "Slip distance: 40 mm"})
+    EXPECT_EQ(parsed(std::string(line) + "\nv (m/s),mu\n1,0.3\n2,0.4\n").points.size(), 2U) << line;
+  EXPECT_THAT(errorOf("Slip angle: 15 deg\nv = 10 km/h\nmu,FN (N)\n0.2,5\n0.3,6\n"),
+              HasSubstr("line 1: with a slip, the velocity of sliding is not the one above"));
 }
 
 /// Spreadsheets have empty columns at both sides, and rows of means below.

@@ -282,4 +282,35 @@ TEST(FrictionHeader, SaysWhichLinesBelowTheTableAreNoRows) {
 }
 
 }  // namespace
+/// A list of names and values above the table, some of which are texts.
+TEST(FrictionHeader, ReadsAListOfNamesAndValues) {
+  const FrictionData data = parsed(
+      "Compound;A12\nLoad [N];0,75\nTemperature [\u00B0C];20\n\n"
+      "v [mm/s];mu\n1,5;0,3\n10;0,4\n100;0,5\n");
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 0.75);
+  EXPECT_DOUBLE_EQ(data.points[0].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(data.points[0].velocity, 1.5e-3);
+  EXPECT_THAT(errorOf("Compound;A12\nSlip angle [\u00B0];15\n\nSpeed [km/h];mu\n1;0,3\n10;0,4\n"),
+              HasSubstr("line 2: with a slip"));
+  const FrictionData units = parsed(
+      "Parameter;Value;Unit\nLoad;50;N\nTemperature;20;\u00B0C\nTrack length;100;mm\n\n"
+      "v [mm/s];mu\n1;0,3\n10;0,4\n");
+  EXPECT_DOUBLE_EQ(units.points[0].normalForce, 50);
+  EXPECT_DOUBLE_EQ(units.points[0].temperature, 293.15);
+  EXPECT_THAT(errorOf("Compound;A12\nLoad;3 kg\n\nv [mm/s];mu\n1;0,3\n10;0,4\n"),
+              HasSubstr("may state the normal force"));
+}
+
+/// A weight may be the load; that of a sample is not.
+TEST(FrictionHeader, DoesNotDropAWeight) {
+  for (const char* line : {"Weight: 5 kg", "Dead weight = 5 kg", "Masse;5 kg"})
+    EXPECT_THAT(errorOf(std::string(line) + "\nv (mm/s);mu\n1;0,3\n10;0,4\n"),
+                HasSubstr("may state the normal force"))
+        << line;
+  for (const char* line : {"Sample weight: 5 kg", "Weight: 5 g", "Tyre mass: 8 kg"})
+    EXPECT_EQ(parsed(std::string(line) + "\nv (mm/s);mu\n1;0,3\n10;0,4\n").points.size(), 2U)
+        << line;
+}
+
 }  // namespace asperity

@@ -442,7 +442,7 @@ TEST(PositionColumn, IsTheOneThatRisesUniformlyWhateverItsName) {
 TEST(Units, AreKnownAsWordsAndInches) {
   for (const char* header : {"x (Millimeter)\tz (Mikrometer)", "x (millimetres)\tz (microns)"})
     EXPECT_NEAR(read(table(header, 1e-3, 1)).topography.columnSpacing, 2e-6, 1e-15) << header;
-  for (const char* unit : {"\u00B5in", "uin", "microinches"}) {
+  for (const char* unit : {"\u00B5in", "uin", "microinches", "\u00B5inch", "uinches"}) {
     const MeasuredFile file =
         read(table(fmt::format("x (in)\tz ({})", unit), 1 / 25400.0, 1 / 0.0254));
     EXPECT_NEAR(file.topography.columnSpacing, 2e-6, 1e-14) << unit;

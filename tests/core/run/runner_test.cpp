@@ -1,11 +1,14 @@
 #include "core/run/runner.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <chrono>
 #include <functional>
+#include <set>
 #include <thread>
+#include <utility>
 
+#include "core/run/simulation.h"
 #include "tests/core/small_scene.h"
 
 namespace asperity {
@@ -257,6 +260,56 @@ TEST(Runner, ThePaceIsTheTimeOnTheScreen) {
   settled(12);
   settled(48);
   settled(6);
+}
+
+/// The line of a motion, on which its usual pace depends, is known to the runner alone until a
+/// frame was made.
+TEST(Runner, TheFirstFramesOfAMotionHaveItsUsualPace) {
+  Runner runner;
+  runner.setPace({});
+  Scene scene = smallScene();
+  runner.post(scene);
+  waitFor([&] { return runner.newestFrame() && runner.newestFrame()->timeScale > 0; });
+  scene.sliding.kind = SlidingKind::Step;
+  scene.sliding.duration = 0.013;
+  const std::uint64_t number = runner.open(scene);
+  waitFor([&] {
+    const auto frame = runner.newestFrame();
+    return frame->sceneNumber == number && frame->timeScale > 0;
+  });
+  const Frame& first = *runner.newestFrame();
+  const double pace = usualPace(scene.sliding, first.spacing);
+  EXPECT_NE(pace, kDefaultPace);
+  EXPECT_NEAR(scene.sliding.duration / first.timeScale, pace, 1e-6 * pace);
+}
+
+/// Of the steps after the jump one and a half take as long as one before it: a frame shows a
+/// multiple of two of the ones and of three of the others, instead of one, and one or two in turns.
+TEST(UsualPace, IsEvenBeforeAndAfterAJumpOfTheVelocity) {
+  Scene scene = smallScene();
+  scene.surface.length = 0.02;
+  scene.surface.elements = 60;
+  scene.sliding.kind = SlidingKind::Step;
+  scene.sliding.velocity = 1;
+  scene.sliding.velocityAfter = 1.5;
+  scene.sliding.duration = 0.1;
+  const RunnerOptions options;
+  Simulation simulation(std::make_shared<const Scene>(scene), 1);
+  const double pace = usualPace(scene.sliding, simulation.spacing());
+  EXPECT_NEAR(pace, kDefaultPace, 0.6 * kDefaultPace);
+  std::set<std::uint64_t> stepsBefore, stepsAfter;
+  std::uint64_t last = 0;
+  for (int frame = 0; simulation.frame().time < 0.9 * scene.sliding.duration; ++frame) {
+    simulation.advance(options.secondsPerFrame() / pace, options.secondsPerFrame());
+    const Frame now = simulation.frame();
+    const std::uint64_t steps = now.step - std::exchange(last, now.step);
+    if (frame < 2) continue;  // rounding may delay the first one
+    if (now.time < 0.49 * scene.sliding.duration) stepsBefore.insert(steps);
+    if (now.time > 0.51 * scene.sliding.duration) stepsAfter.insert(steps);
+  }
+  ASSERT_THAT(stepsBefore, testing::SizeIs(1));
+  ASSERT_THAT(stepsAfter, testing::SizeIs(1));
+  EXPECT_EQ(2 * *stepsAfter.begin(), 3 * *stepsBefore.begin());
 }
 
 TEST(Runner, AMomentIsFoundForwardAndBackWhilePaused) {

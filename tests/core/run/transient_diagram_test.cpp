@@ -193,6 +193,15 @@ TEST(RelaxationGuide, IsNotThereBeforeAJumpNorWhereTheVelocityAlwaysChanges) {
   EXPECT_TRUE(relaxationGuide(motion(SlidingKind::Start), {}).empty());
 }
 
+/// The window shows the strips of a scene before it knows that the scene cannot run.
+TEST(RelaxationGuide, IsNotThereWhereTheShiftOfTheTimesEnds) {
+  Scene scene = slowParabola();
+  scene.elastomer.shift.referenceTemperature = scene.elastomer.temperature + 200;
+  DiagramSheet sheet;
+  EXPECT_NO_THROW(sheet = transientSheet(scene, {}, 0, 0, {}));
+  EXPECT_FALSE(sheet.diagrams.empty());
+}
+
 TEST(RelaxationGuide, IsNotThereAtRest) {
   auto samples = relaxing(0.02, 0.04);
   for (TransientSample& sample : samples)

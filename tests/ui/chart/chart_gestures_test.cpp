@@ -453,6 +453,29 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
   EXPECT_TRUE(legend->toolTip().contains(QString::fromStdString(diagram.series[0].name.text)));
 }
 
+/// Lists have semicolons in a language with decimal commas.
+TEST_F(ChartGestures, LongNamesAreBrokenAndShortenedAtSemicolonsToo) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  QStringList parts;
+  for (int i = 0; i < 5; ++i) parts += QStringLiteral("Parameter %1 = %2,5 MPa").arg(i).arg(10 * i);
+  diagram.series[0].name = parts.join("; ").toStdString();
+  view_->setSheet(sheet);
+  auto* legend = view_->findChild<ChartLegend*>();
+  ASSERT_EQ(legend->entryLines(7).size(), 2);
+  EXPECT_TRUE(legend->entryLines(7)[0].endsWith(u';'));
+  EXPECT_EQ(legend->entryLines(7).join(' ').toStdString(), diagram.series[0].name.text);
+  diagram.series[0].id = kPresentCurve;
+  diagram.series[0].name = "kubisch x8; 200 Linien minus die Kurve darüber; mit allen Theorien";
+  for (int i = 0; i < 2; ++i) diagram.series.push_back(diagram.series[0]);
+  view_->setSheet(sheet);
+  view_->resize(500, 220);
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    const QString name = legend->entryLines(kPresentCurve).join(' ');
+    return name == "kubisch x8" || name == "kubisch x8; 200 Linien minus die Kurve darüber";
+  })) << legend->entryLines(kPresentCurve).join(' ').toStdString();
+}
+
 /// Names of curves that differ in much are cut before an entry is left out.
 TEST_F(ChartGestures, LongNamesLeaveNoEntryOut) {
   DiagramSheet sheet = sampleSheet();

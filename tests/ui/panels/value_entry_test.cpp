@@ -41,6 +41,22 @@ TEST_F(ParameterPanelTest, ANumberThatDoesNotFitIsShownRounded) {
   EXPECT_EQ(entry("surface.hurst").shownText(), entry("surface.hurst").text());
 }
 
+/// A title that was cut off, and the end of a file's name, looked like the whole.
+TEST_F(ParameterPanelTest, ATextThatDoesNotFitIsShownShortened) {
+  panel_.activateWindow();
+  Scene scene;
+  scene.title = "A title that is far longer than the narrow entry of the panel";
+  scene.surface.kind = SurfaceKind::Profile;
+  scene.surface.file = "a/folder/with/a/rather/long/name/of/its/own/profile.csv";
+  panel_.setScene(scene);
+  const QString title = entry("title").shownText(), file = entry("surface.file").shownText();
+  EXPECT_TRUE(title.startsWith("A title") && title.endsWith(u'…')) << title.toStdString();
+  EXPECT_TRUE(file.startsWith(u'…') && file.endsWith("profile.csv")) << file.toStdString();
+  entry("title").setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return entry("title").hasFocus(); }));
+  EXPECT_EQ(entry("title").shownText().toStdString(), scene.title);
+}
+
 TEST_F(ParameterPanelTest, ASliderMendsARefusedText) {
   type("surface.hurst", "abc");
   QTest::keyClick(&slider("surface.hurst"), Qt::Key_Left);

@@ -13,7 +13,7 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/main/window_keys.h"
 
 namespace asperity {
@@ -46,7 +46,7 @@ bool isInsideOfAControl(const QWidget* widget) {
 }
 
 TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
-  window_.figures().gallery();
+  window_.figures().figuresPage();
   int count = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || isInsideOfAControl(widget)) continue;

@@ -44,7 +44,7 @@
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/fit/fit_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/import/material_import.h"
@@ -514,7 +514,7 @@ class Visitor {
 
   void figures() {
     window_.figures().openFigures();
-    GalleryPage& page = window_.figures().gallery();
+    FiguresPage& page = window_.figures().figuresPage();
     show("figures_none", page);
     if (wishes_.hasFigures) {
       in<QSpinBox>(page, "realizations").setValue(3);
@@ -524,11 +524,11 @@ class Visitor {
         if (!isWanted(name)) continue;
         page.choose(entry.name, true);
         if (&entry == &figureEntries()[1]) {
-          waitFor([&] { return page.gallery().computing().has_value() || page.hasFigure(); },
+          waitFor([&] { return page.queue().computing().has_value() || page.hasFigure(); },
                   "a figure");
           show("figures_computing", page);
         }
-        waitFor([&] { return !page.gallery().computing(); }, "a figure");
+        waitFor([&] { return !page.queue().computing(); }, "a figure");
         waitFor([&] { return page.picture().isPainted(); }, "its picture");
         show(name, page);
         auto& claims = in<ClaimsTable>(page, "claims");

@@ -22,7 +22,7 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/import/material_import.h"
 #include "ui/window/import/surface_import.h"
@@ -217,13 +217,13 @@ TEST_P(WindowInEachLanguage, NothingIsCutOffInAPresentation) {
   ASSERT_EQ(window->width(), 1280);
 
   window->figures().openFigures();
-  EXPECT_EQ(cutOffIn(window->figures().gallery()), "");
-  const auto& list = *window->figures().gallery().findChild<FigureList*>();
+  EXPECT_EQ(cutOffIn(window->figures().figuresPage()), "");
+  const auto& list = *window->figures().figuresPage().findChild<FigureList*>();
   EXPECT_GE(list.width(), list.minimumSizeHint().width());
   // The picture has all that panel and list leave, and the window does not grow for it.
   constexpr int kBorders = 8;
   EXPECT_EQ(window->width(), 1280);
-  const int picture = window->figures().gallery().picture().width();
+  const int picture = window->figures().figuresPage().picture().width();
   EXPECT_GE(picture, 1280 - dock.width() - list.width() - kBorders);
   EXPECT_GT(picture, std::max(dock.width(), list.width()));
 }

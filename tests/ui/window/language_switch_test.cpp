@@ -23,7 +23,7 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_document.h"
@@ -173,23 +173,23 @@ TEST(LanguageSwitch, KeepsTheFiguresPage) {
   window->appearance().setDark(true);
   window->resize(1920, 1080);
   window->figures().openFigures();
-  window->figures().gallery().findChild<QSpinBox*>("realizations")->setValue(2);
-  window->figures().gallery().choose(FigureName::Exponents, true);
+  window->figures().figuresPage().findChild<QSpinBox*>("realizations")->setValue(2);
+  window->figures().figuresPage().choose(FigureName::Exponents, true);
   const auto made = [&] {
-    return window->figures().gallery().gallery().status(FigureName::Exponents).made != nullptr;
+    return window->figures().figuresPage().queue().status(FigureName::Exponents).made != nullptr;
   };
   ASSERT_TRUE(QTest::qWaitFor(made, 6 * kWindowPatience));
-  const auto claims = [&] { return window->figures().gallery().findChild<ClaimsTable*>(); };
+  const auto claims = [&] { return window->figures().figuresPage().findChild<ClaimsTable*>(); };
   ASSERT_GT(claims()->rowCount(), 1);
   claims()->selectRow(1);
   std::vector<int> heights;
   for (int row = 0; row < claims()->rowCount(); ++row) heights.push_back(claims()->rowHeight(row));
 
   window->setLanguage("de");
-  EXPECT_EQ(window->figures().gallery().findChild<QSpinBox*>("realizations")->value(), 2);
+  EXPECT_EQ(window->figures().figuresPage().findChild<QSpinBox*>("realizations")->value(), 2);
   EXPECT_EQ(claims()->unfolded(), 1);
   window->setLanguage("en");
-  EXPECT_EQ(window->figures().gallery().chosen(), FigureName::Exponents);
+  EXPECT_EQ(window->figures().figuresPage().chosen(), FigureName::Exponents);
   EXPECT_EQ(claims()->unfolded(), 1);
   const auto haveTheirHeights = [&] {
     for (int row = 0; row < claims()->rowCount(); ++row)
@@ -204,10 +204,10 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
   window->figures().openFigures();
-  FigureGallery* figures = &window->figures().gallery().gallery();
+  FigureQueue* figures = &window->figures().figuresPage().queue();
   window->setLanguage("de");
   EXPECT_TRUE(window->figures().isShowingFigures());
-  EXPECT_EQ(&window->figures().gallery().gallery(), figures);
+  EXPECT_EQ(&window->figures().figuresPage().queue(), figures);
   window->figures().showViews();
   EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
 

@@ -26,7 +26,7 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
@@ -108,7 +108,7 @@ bool showFigure(MainWindow& window, const QString& word) {
   auto* action = window.findChild<QAction*>("figure:" + word);
   if (!action) return false;
   action->trigger();
-  FigurePicture& picture = window.figures().gallery().picture();
+  FigurePicture& picture = window.figures().figuresPage().picture();
   const bool isThere = QTest::qWaitFor([&] { return picture.isPainted(); }, 300000);
   QTest::qWait(300);  // on the screen too
   return isThere;

@@ -23,8 +23,8 @@
 #include "ui/panels/parameter_row.h"
 #include "ui/window/accuracy/comparison_box.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/figures/figure_gallery.h"
 #include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
 
@@ -159,11 +159,11 @@ void AccuracyPanel::showTexts() {
   for (QLabel* label : {predicted_, measured_}) label->setToolTip(wrappedTip(tip));
   quick_->setText(tr("quick"));
   exact_->setText(tr("exact"));
-  for (QWidget* widget : {static_cast<QWidget*>(slider_), scrolled_})
+  for (QWidget* widget : Widgets{slider_, scrolled_})
     widget->setAccessibleName(tr("accuracy from quick to exact"));
   free_->setText(tr("No target"));
   free_->setToolTip(tr("Scheme, oversampling and realizations as set in the parameters"));
-  compare_->setText(isComparing_ ? tr("Cancel") : tr("Compare methods"));
+  showComparing();
   compare_->setToolTip(tr("Measures error against time of every method on this scene's lines"));
 }
 
@@ -292,11 +292,10 @@ void AccuracyPanel::showInvitation() {
 void AccuracyPanel::compareMethods() {
   if (isComparing_) {
     comparison_.cancel();
-    endComparison();
+    setComparing(false);
     return picture_->showText(tr("cancelled"));
   }
-  isComparing_ = true;
-  compare_->setText(tr("Cancel"));
+  setComparing(true);
   pictured_ = scene_;
   picture_->showText(comparingText());
   const auto progressed = [this](double part) {
@@ -307,19 +306,23 @@ void AccuracyPanel::compareMethods() {
         return computeFigure(run, comparisonMaker(scene), {}, 0, progressed);
       },
       [this](std::shared_ptr<const ComputedFigure> made) {
-        endComparison();
+        setComparing(false);
         picture_->showFigure(std::move(made));
         dropOldPicture();  // the scene may have changed meanwhile
       },
       [this](const QString& reason) {
-        endComparison();
+        setComparing(false);
         picture_->showText(reason);
       });
 }
 
-void AccuracyPanel::endComparison() {
-  isComparing_ = false;
-  compare_->setText(tr("Compare methods"));
+void AccuracyPanel::setComparing(bool isComparing) {
+  isComparing_ = isComparing;
+  showComparing();
+}
+
+void AccuracyPanel::showComparing() {
+  compare_->setText(isComparing_ ? tr("Cancel") : tr("Compare methods"));
 }
 
 }  // namespace asperity

@@ -70,7 +70,8 @@ class AccuracyPanel : public QWidget {
   void compareMethods();
   void dropOldPicture();
   void showInvitation();
-  void endComparison();
+  void setComparing(bool isComparing);
+  void showComparing();
 
   Scene scene_;
   QSlider* slider_;

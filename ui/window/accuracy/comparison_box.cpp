@@ -51,9 +51,7 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   lines_ = makeSpinBox("comparisonLines", suggested_, kMaxLines);
   connect(lines_, &QSpinBox::valueChanged, this, &ComparisonBox::showLines);
 
-  for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
-                         static_cast<QWidget*>(lines_)})
-    entry->setMinimumHeight(kHeight);
+  for (QWidget* entry : Widgets{scheme_, oversampling_, lines_}) entry->setMinimumHeight(kHeight);
   auto* choice = new QHBoxLayout;
   choice->setContentsMargins(22, 0, 0, 0);
   choice->addWidget(scheme_);
@@ -63,14 +61,13 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   column->addWidget(compare_);
   column->addLayout(choice);
 
-  const auto changed = [this] {
-    oversampling_->setEnabled(scheme_->currentIndex() != static_cast<int>(Scheme::Nodal));
+  connect(scheme_, &QComboBox::currentIndexChanged, this, [this](int scheme) {
+    oversampling_->setEnabled(scheme != static_cast<int>(Scheme::Nodal));
     emit settingChanged();
-  };
-  connect(compare_, &QCheckBox::toggled, this, changed);
-  connect(scheme_, &QComboBox::currentIndexChanged, this, changed);
-  connect(oversampling_, &QSpinBox::valueChanged, this, changed);
-  connect(lines_, &QSpinBox::valueChanged, this, changed);
+  });
+  connect(compare_, &QCheckBox::toggled, this, &ComparisonBox::settingChanged);
+  for (QSpinBox* box : {oversampling_, lines_})
+    connect(box, &QSpinBox::valueChanged, this, &ComparisonBox::settingChanged);
   keepTranslated(*this, [this] { showTexts(); });
 }
 

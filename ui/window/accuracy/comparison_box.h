@@ -1,5 +1,5 @@
-// The setting with which the friction curve is compared, as controls. GUI thread; owned by its
-// parent.
+// The setting with which the friction curve is compared, as controls: another scheme, oversampling
+// and number of lines. GUI thread; owned by its parent.
 #pragma once
 
 #include <QWidget>
@@ -14,8 +14,6 @@ class QSpinBox;
 
 namespace asperity {
 
-/// The setting with which the friction curve is compared: another scheme, oversampling and number
-/// of lines.
 class ComparisonBox : public QWidget {
   Q_OBJECT
 

@@ -103,8 +103,7 @@ void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
 /// Keeps the place of the labels free in a low picture, too.
 void ContactCanvas::giveLabelsSpace() {
   if (!viewer_.frame()) return;
-  const PictureRequest shown = request();
-  viewer_.setLabelSpace(labelSpace(*shown.frame, sizedOptions(shown)));
+  viewer_.setLabelSpace(labelSpace(*viewer_.frame(), sizedOptions(request())));
 }
 
 void ContactCanvas::setTheme(const Theme& theme) {
@@ -164,15 +163,12 @@ void ContactCanvas::useOpenGl() {
 
 void ContactCanvas::useSoftware() {
   CanvasEvents events = eventsOfPictures();
-  events.failed = [this](const LiveText& reason) { fallBack(reason); };
+  events.failed = [this](const LiveText& reason) { showFailure(reason); };
   setBackend(makeSoftwareCanvas(std::move(events), this));
 }
 
 void ContactCanvas::setBackend(CanvasBackend* backend) {
-  if (backend_) {
-    backend_->widget()->hide();
-    backend_->widget()->deleteLater();
-  }
+  removeBackend();
   backend_ = backend;
   backend_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles them
   layout_->addWidget(backend_->widget());
@@ -180,10 +176,16 @@ void ContactCanvas::setBackend(CanvasBackend* backend) {
   refresh();
 }
 
-void ContactCanvas::fallBack(const LiveText& reason) {
+void ContactCanvas::removeBackend() {
+  if (!backend_) return;
   backend_->widget()->hide();
   backend_->widget()->deleteLater();
   backend_ = nullptr;
+}
+
+/// Shows a message in place of pictures, which nothing can draw.
+void ContactCanvas::showFailure(const LiveText& reason) {
+  removeBackend();
   auto* label = new QLabel;
   keepTranslated(*label, [label, reason] {
     label->setText(tr("The contact cannot be drawn here: %1").arg(QString(reason)));

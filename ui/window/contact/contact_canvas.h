@@ -116,7 +116,8 @@ class ContactCanvas : public QWidget {
   void useSoftware();
   CanvasEvents eventsOfPictures();
   void setBackend(CanvasBackend* backend);
-  void fallBack(const LiveText& reason);
+  void removeBackend();
+  void showFailure(const LiveText& reason);
   void takeReady(const std::shared_ptr<const Frame>& frame);
   void takePainted(const std::vector<LabelPlace>& labels);
   void refresh();

@@ -14,7 +14,7 @@
 #include "core/scene/motion.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/chart_view.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"

@@ -118,7 +118,7 @@ TimeBar::TimeBar(QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this,
           [this](int position) { choosePace(paceAt(position)); });
   connect(keep_, &QCheckBox::toggled, this, [this](bool keeps) {
-    if (keeps) setLimitedPace(preferredPace());
+    if (keeps) setLimitedPace(chosen_);
   });
   connect(factor_, &QLineEdit::editingFinished, this, &TimeBar::readFactor);
   connect(moment_, &QSlider::valueChanged, this, [this](int position) {
@@ -206,7 +206,7 @@ int TimeBar::durationWidth() const {
 }
 
 /// Shows the duration, which the axis of the charts has too, and the name of the pace, which its
-/// number says too, where there is space for them.
+/// number also implies, where there is space for them.
 void TimeBar::fit() {
   showsDuration_ = false;
   momentText_->setMinimumWidth(momentWidth(false));
@@ -252,11 +252,6 @@ double TimeBar::slowMotion() const {
   return time > 0 ? pace_ / time : 0;
 }
 
-/// Returns the pace that the user chose, or the usual one.
-double TimeBar::preferredPace() const {
-  return chosen_ ? *chosen_ : usualPace(scene_.sliding, spacing_);
-}
-
 void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
@@ -268,7 +263,7 @@ void TimeBar::showScene(const Scene& scene) {
   const double before = slowMotion();
   takeScene(scene);
   if (keepsPace())
-    setLimitedPace(preferredPace());
+    setLimitedPace(chosen_);
   else if (before > 0 && simulatedTime() > 0)
     setLimitedPace(before * simulatedTime());
   else
@@ -279,7 +274,7 @@ void TimeBar::showOtherScene(const Scene& scene) {
   takeScene(scene);
   // Its slow motion has nothing to do with that of the previous scene.
   if (chosen_) chosen_ = std::min(*chosen_, kSlowestFirstPace);
-  setLimitedPace(preferredPace());
+  setLimitedPace(chosen_);
 }
 
 void TimeBar::showFrame(const Frame& frame, std::optional<double> requested) {
@@ -287,7 +282,7 @@ void TimeBar::showFrame(const Frame& frame, std::optional<double> requested) {
     length_ = frame.length;
     spacing_ = frame.spacing;
     if (keepsPace())
-      setLimitedPace(preferredPace());
+      setLimitedPace(chosen_);
     else
       showPace();
   }
@@ -313,14 +308,16 @@ void TimeBar::showDelay(const Frame& frame) {
   if (reachedScale_ != before) showPace();
 }
 
-void TimeBar::setLimitedPace(double pace) {
-  pace = std::clamp(pace, kFastest, kSlowest);
-  if (pace != pace_) {
-    pace_ = pace;
+/// Sets a pace, or the nearest possible one; none: the usual one of the scene.
+void TimeBar::setLimitedPace(std::optional<double> pace) {
+  if (pace) pace = std::clamp(*pace, kFastest, kSlowest);
+  const double next = pace.value_or(usualPace(scene_.sliding, spacing_));
+  if (next != pace_) {
+    pace_ = next;
     framesBehind_ = 0;
     reachedScale_ = 0;
-    emit paceChanged(pace_);
   }
+  if (std::exchange(requested_, pace) != pace) emit paceChanged(pace);
   showPace();
 }
 
@@ -350,7 +347,7 @@ void TimeBar::showPace() {
 
 /// Shows a sentence where the pace was typed, after the events that may end the typing, which hide
 /// tooltips.
-void TimeBar::say(const QString& sentence) {
+void TimeBar::showMessage(const QString& sentence) {
   QTimer::singleShot(0, factor_, [this, sentence] {
     if (factor_->isVisible())
       QToolTip::showText(factor_->mapToGlobal(QPoint(0, 0)), wrappedTip(sentence), factor_, {},
@@ -360,7 +357,7 @@ void TimeBar::say(const QString& sentence) {
 }
 
 /// Reads the typed pace, "600", "1e3 x slower" or "20× faster". Any other text leaves the pace, and
-/// a pace beyond the limits becomes the nearest one; a message says so in both cases.
+/// a pace beyond the limits becomes the nearest one; in both cases a message explains it.
 void TimeBar::readFactor() {
   static const QRegularExpression form(
       QStringLiteral("^\\s*([0-9.,eE+]+|[0-9.,]+[eE]-[0-9]+)\\s*[×x]?\\s*(\\p{L}*)\\s*$"));
@@ -381,12 +378,12 @@ void TimeBar::readFactor() {
   if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
     if (paceText(factor) != paceText(slowMotion()))
-      say(tr("“%1” is beyond what the picture can show, %2 to %3; %4 is chosen")
-              .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
-                   paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
+      showMessage(tr("“%1” is beyond what the picture can show, %2 to %3; %4 is chosen")
+                      .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
+                           paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {
-    say(tr("“%1” is not a pace; enter 600, 600× slower or 20× faster")
-            .arg(text.left(kLongestQuote)));
+    showMessage(tr("“%1” is not a pace; enter 600, 600× slower or 20× faster")
+                    .arg(text.left(kLongestQuote)));
   }
   showPace();
 }

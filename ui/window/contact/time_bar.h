@@ -37,6 +37,9 @@ class TimeBar : public QWidget {
   /// Returns the seconds on the screen for one period, or for a motion. Until the user chooses a
   /// pace, that of a motion shows as many of its steps in each frame, so that no frame repeats.
   double pace() const { return pace_; }
+  /// Returns the pace that the user chose, or the one that keeps the slow motion, s; none: the
+  /// usual one of each scene.
+  std::optional<double> requestedPace() const { return requested_; }
   /// Returns the slow motion: seconds on the screen for a simulated one; 0 where nothing moves.
   double slowMotion() const;
   /// Sets the slow motion; it becomes what the limits of the pace allow.
@@ -46,7 +49,8 @@ class TimeBar : public QWidget {
   QSize minimumSizeHint() const override;
 
  signals:
-  void paceChanged(double secondsPerPeriod);
+  /// Emitted with the new requestedPace().
+  void paceChanged(std::optional<double> secondsPerPeriod);
   /// Emitted while the moment is dragged, and for its keys: s, of a motion.
   void seekRequested(double time);
   /// Emitted at the beginning and the end of a drag of the moment.
@@ -70,12 +74,11 @@ class TimeBar : public QWidget {
   void fit();
   QString momentWords() const;
   void showMoment();
-  double preferredPace() const;
   void takeScene(const Scene& scene);
-  void setLimitedPace(double pace);
+  void setLimitedPace(std::optional<double> pace);
   void choosePace(double pace);
   void showPace();
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
   void showDelay(const Frame& frame);
   void readFactor();
   double simulatedTime() const;
@@ -85,6 +88,7 @@ class TimeBar : public QWidget {
   double pace_;
   /// The pace that the user set last, s; pace_ may follow the velocity instead.
   std::optional<double> chosen_;
+  std::optional<double> requested_;
   double duration_ = 0;  // s, of a motion; 0: steady sliding
   double time_ = 0;      // s, the moment that is shown
   bool showsDuration_ = false;

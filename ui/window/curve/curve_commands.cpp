@@ -20,13 +20,13 @@
 #include "ui/chart/chart_view.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
-#include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/window/main/commands.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {

@@ -48,7 +48,7 @@ Neighbours findNeighbours(const CurveUpdate& curve, double position) {
 }
 
 /// Returns whether two velocities of a curve are more than a decade apart: friction may do anything
-/// between them, and a straight line says nothing of it.
+/// between them, which a straight line does not show.
 bool areFarApart(const CurvePoint& below, const CurvePoint& above) {
   constexpr double kFarApart = 10 * (1 + 1e-9);
   return std::isnan(below.swept) && above.velocity > kFarApart * below.velocity;

@@ -26,8 +26,8 @@ struct CurveReading {
 /// Returns "region III, plateau" for "III".
 QString regionText(std::string_view name);
 
-/// Returns a sentence that tells the error beside a reading from that of the whole curve: both
-/// places that show one of them have it in their tips.
+/// Returns a sentence that distinguishes the error beside a reading from that of the whole curve:
+/// both places that show one of them have it in their tips.
 QString errorsInWords();
 
 /// Reads the curve at the frame's velocity. `curve`: of the frame's scene, or null.

@@ -11,7 +11,7 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
@@ -95,7 +95,7 @@ void InfluencePage::showTexts() {
   showProgress();
 }
 
-/// Says how much is computed, while there is nothing else to show.
+/// Shows how much is computed, while there is nothing else to show.
 void InfluencePage::showProgress() {
   if (isComputing_)
     view_->setPlaceholder(tr("The influences are being computed… %1 %").arg(percent_));

@@ -22,7 +22,7 @@
 #include "ui/panels/controls.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
 
@@ -298,7 +298,7 @@ void ExportDialog::requestPreview() {
       folder_.path());
 }
 
-/// Makes the usual size as high as its diagrams need, and says so; other refusals are shown.
+/// Makes the usual size as high as its diagrams need, with a note; other refusals are shown.
 void ExportDialog::previewFailed(const QString& reason, const NeededHeight& needed) {
   const std::optional<double> height = form_->heightEnough(needed);
   if (!height || !form_->raiseHeight(*height)) return refuse(form_->inWords(reason, needed));
@@ -342,10 +342,7 @@ bool ExportDialog::confirmReplace(const QFileInfo& target) {
     question = tr("The folder %1 has files already. Replace those of the same names?");
   else if (target.exists() && !target.isDir() && target.absoluteFilePath() != chosenFile_)
     question = tr("%1 exists already. Replace it?");
-  if (question.isEmpty()) return true;
-  return ask(this, {"replaceQuestion", windowTitle(), question.arg(target.fileName())},
-             {{QMessageBox::Yes, tr("&Replace")}, {QMessageBox::Cancel, tr("&Cancel")}},
-             QMessageBox::Cancel) == QMessageBox::Yes;
+  return question.isEmpty() || askReplace(this, windowTitle(), question.arg(target.fileName()));
 }
 
 void ExportDialog::write() {

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
+#include <QSignalBlocker>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,10 +16,10 @@
 #include "core/chart/figure_style.h"
 #include "core/paper/figure.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/translated.h"
+#include "ui/language/language.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
 
@@ -63,14 +64,6 @@ std::optional<SizePreset> sizeOfStyle(const QString& name) {
                     style.dotsPerInch > 0 ? style.dotsPerInch : usual};
 }
 
-/// Returns "Figure 2: Typical dependence of friction on velocity".
-QString figureTitle(const FigureEntry& entry) {
-  const QString headline = translatedText(Message(entry.headline));
-  return entry.name < FigureName::Master
-             ? QStringLiteral("%1: %2").arg(figureLabel(entry.name), headline)
-             : headline;
-}
-
 QString chosen(const QComboBox& box) {
   return box.currentData().toString();
 }
@@ -110,6 +103,30 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       named<QCheckBox>("exportAsShown", tr("Same p&art of the line and moment as in the window"));
   asShown_->setChecked(true);
   rows_->addRow(asShown_);
+  addFilm();
+  columns_ = addEntry("exportColumns", tr("Co&lumns"),
+                      tr("Names of columns, separated by commas; empty: all"));
+  columns_->setPlaceholderText(tr("all"));
+  realizations_ = addEntry("exportRealizations", tr("A&verage of lines"),
+                           tr("Random lines over which each point is a mean; the paper has 200"));
+  realizations_->setText("200");
+
+  further_ =
+      addEntry("exportFurther", tr("&Other options"),
+               tr("Any other options of the command, such as --font-size 9 --title none; asperity "
+                  "render --help lists them"));
+
+  fillContents();
+  choose(*theme_, shown_.dark ? "dark" : "");
+  connectControls();
+  showSize();
+  // The widest kind of export sets the width, so that nothing moves with the kind.
+  setMinimumWidth(rows_->minimumSize().width());
+  showRows();
+}
+
+/// Adds the rows of a film: its length, its frames, and how fast the contact moves in it.
+void ExportForm::addFilm() {
   duration_ = addEntry("exportDuration", tr("&Duration (s)"), tr("Length of the film in seconds"));
   duration_->setText("6");
   rate_ = addEntry("exportRate", tr("Fra&mes per s"), tr("0.001 to 1000"));
@@ -129,24 +146,11 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   speed->addWidget(speedValue_);
   speed->addWidget(speed_, 1);
   rows_->addRow(tr("&Speed"), speedRow_);
-  columns_ = addEntry("exportColumns", tr("Co&lumns"),
-                      tr("Names of columns, separated by commas; empty: all"));
-  columns_->setPlaceholderText(tr("all"));
-  realizations_ = addEntry("exportRealizations", tr("A&verage of lines"),
-                           tr("Random lines over which each point is a mean; the paper has 200"));
-  realizations_->setText("200");
+}
 
-  further_ =
-      addEntry("exportFurther", tr("&Other options"),
-               tr("Any other options of the command, such as --font-size 9 --title none; asperity "
-                  "render --help lists them"));
-
-  fillContents();
-  choose(*theme_, shown_.dark ? "dark" : "");
+void ExportForm::connectControls() {
   for (QComboBox* box : {kind_, content_, format_, style_, preset_, unit_, theme_, speed_})
-    connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
-      if (!isFilling_) followChoice(box);
-    });
+    connect(box, &QComboBox::currentIndexChanged, this, [this, box] { followChoice(box); });
   for (QLineEdit* entry : {width_, height_})
     connect(entry, &QLineEdit::textEdited, this, [this] { choose(*preset_, kOwn); });
   for (QLineEdit* entry : {width_, height_, density_, duration_, rate_, speedValue_, columns_,
@@ -154,10 +158,6 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
     connect(entry, &QLineEdit::textEdited, this, &ExportForm::changed);
   for (QCheckBox* box : {transparent_, asShown_})
     connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
-  showSize();
-  // The widest kind of export sets the width, so that nothing moves with the kind.
-  setMinimumWidth(rows_->minimumSize().width());
-  showRows();
 }
 
 /// Fills what depends on a choice that the user has made.
@@ -234,7 +234,7 @@ ExportKind ExportForm::kind() const {
 
 /// Offers what this kind can contain, first what the window shows.
 void ExportForm::fillContents() {
-  isFilling_ = true;
+  const QSignalBlocker quietContent(content_), quietTheme(theme_);
   content_->clear();
   if (kind() == ExportKind::Figure) {
     content_->addItem(tr("Figures 1 to 6"), "paper");
@@ -258,12 +258,11 @@ void ExportForm::fillContents() {
     }
     choose(*content_, shown_.layout);
   }
-  isFilling_ = false;
   fillFormats();
 }
 
 void ExportForm::fillFormats() {
-  isFilling_ = true;
+  const QSignalBlocker quiet(format_);
   const QString before = chosen(*format_);
   format_->clear();
   switch (kind()) {
@@ -288,12 +287,11 @@ void ExportForm::fillFormats() {
       break;
   }
   choose(*format_, before);
-  isFilling_ = false;
   fillSizes();
 }
 
 void ExportForm::fillSizes() {
-  isFilling_ = true;
+  const QSignalBlocker quiet(preset_);
   const QString before = chosen(*preset_);
   const bool isChart =
       chosen(*content_) == "curve" || chosen(*content_) == "motion" || kind() == ExportKind::Figure;
@@ -307,7 +305,6 @@ void ExportForm::fillSizes() {
     preset_->addItem(names[static_cast<int>(i)], kSizes[i].word);
   preset_->addItem(tr("Own size"), kOwn);
   choose(*preset_, before);
-  isFilling_ = false;
 }
 
 /// Shows the width, height and resolution of the named size.
@@ -330,12 +327,11 @@ void ExportForm::showSize() {
   for (const SizePreset& each : kSizes)
     if (word == each.word) size = each;
   if (ofStyle) size = *ofStyle;
-  isFilling_ = true;
+  const QSignalBlocker quiet(unit_);
   width_->setText(QString::number(size.width));
   height_->setText(QString::number(size.height));
   choose(*unit_, size.isOnPaper ? "mm" : "");
   density_->setText(QString::number(size.density));
-  isFilling_ = false;
 }
 
 /// Gives width and height in the unit that was just chosen, at the resolution of the form, so that
@@ -382,11 +378,7 @@ void ExportForm::showRows() {
   const bool isFigure = kind() == ExportKind::Figure;
   const QString content = chosen(*content_);
   const bool hasContact = content != "curve" && content != "motion" && !isFigure;
-  const auto show = [this](QWidget* field, bool isShown) {
-    // QFormLayout::setRowVisible() would move the rows below; these few do so only with the kind.
-    field->setVisible(isShown);
-    if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);
-  };
+  const auto show = [this](QWidget* field, bool isShown) { setRowShown(*rows_, field, isShown); };
   for (QWidget* field : Widgets{style_, preset_, size_, density_, theme_, transparent_})
     show(field, !isTable);
   for (QWidget* field : Widgets{width_, height_, unit_, density_}) field->setEnabled(!hasOwnSize());

@@ -54,7 +54,7 @@ class ExportForm : public QWidget {
 
   /// Returns the reason that a command gave, with the label of a control in place of its option.
   /// Options that the user typed keep their names. The numbers of a size are those of the preview;
-  /// they are told as those of the form.
+  /// they are given as those of the form.
   QString inWords(const QString& reason, const NeededHeight& needed) const;
 
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
@@ -68,6 +68,8 @@ class ExportForm : public QWidget {
   QComboBox* addChoice(const char* name, const QString& label);
   QLineEdit* addEntry(const char* name, const QString& label, const QString& tip);
   void addSize();
+  void addFilm();
+  void connectControls();
   void fillContents();
   void fillFormats();
   void fillSizes();
@@ -91,7 +93,6 @@ class ExportForm : public QWidget {
       *realizations_, *further_;
   QWidget *size_, *speedRow_;
   QCheckBox *transparent_, *asShown_;
-  bool isFilling_ = false;
 };
 
 }  // namespace asperity

@@ -12,7 +12,7 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
 

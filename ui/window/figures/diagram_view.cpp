@@ -17,9 +17,10 @@
 #include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/language/translated.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
 

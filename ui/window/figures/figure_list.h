@@ -5,7 +5,7 @@
 #include <QListWidget>
 #include <vector>
 
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
 

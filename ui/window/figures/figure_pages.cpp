@@ -6,7 +6,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/gallery/scene_gallery.h"
 #include "ui/window/main/commands.h"
 
@@ -29,7 +29,7 @@ void FigurePages::addTo(Commands& commands) {
   const auto run = [this] {
     if (isShowingFigures()) return showViews();
     openFigures();
-    gallery().choose(gallery().chosen(), true);
+    figuresPage().choose(figuresPage().chosen(), true);
   };
   commands
       .add({"figures",
@@ -55,37 +55,33 @@ void FigurePages::fillMenu(QMenu& menu) {
   for (const FigureEntry& entry : figureEntries()) {
     QAction* action = menu.addAction(QString(), this, [this, name = entry.name] {
       openFigures();
-      gallery().choose(name, true);
+      figuresPage().choose(name, true);
     });
     action->setObjectName("figure:" + fromUtf8(entry.word));
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key++)));
-    // An entry has the text "Figure 2: Typical dependence …"; figures that the paper does not have
-    // show their headlines.
     keepTranslated(menu, [action, &entry] {
-      const QString headline = translatedText(entry.headline);
-      const QString label = figureLabel(entry.name);
-      const bool isNumbered = entry.name < FigureName::Master;
-      action->setText(isNumbered ? tr("%1: %2").arg(label, headline) : headline);
-      if (isNumbered) action->setProperty("shortText", label);
+      action->setText(figureTitle(entry));
+      if (entry.name < FigureName::Master)
+        action->setProperty("shortText", figureLabel(entry.name));
     });
   }
   menu.addSeparator();
   menu.addAction(commands_->get("figures"));
 }
 
-GalleryPage& FigurePages::gallery() {
-  if (gallery_) return *gallery_;
-  gallery_ = new GalleryPage;
-  gallery_->setTheme(theme_);
-  gallery_->setSizePolicy(kNoSize, kNoSize);
-  addWidget(gallery_);
-  connect(gallery_, &GalleryPage::closed, this, &FigurePages::showViews);
-  connect(gallery_, &GalleryPage::figureShown, this, &FigurePages::figureShown);
-  connect(gallery_, &GalleryPage::sceneRequested, this, [this](const Scene& scene) {
+FiguresPage& FigurePages::figuresPage() {
+  if (figuresPage_) return *figuresPage_;
+  figuresPage_ = new FiguresPage;
+  figuresPage_->setTheme(theme_);
+  figuresPage_->setSizePolicy(kNoSize, kNoSize);
+  addWidget(figuresPage_);
+  connect(figuresPage_, &FiguresPage::closed, this, &FigurePages::showViews);
+  connect(figuresPage_, &FiguresPage::figureShown, this, &FigurePages::figureShown);
+  connect(figuresPage_, &FiguresPage::sceneRequested, this, [this](const Scene& scene) {
     showViews();
     emit sceneRequested(scene);
   });
-  return *gallery_;
+  return *figuresPage_;
 }
 
 SceneGallery& FigurePages::scenes() {
@@ -104,7 +100,7 @@ SceneGallery& FigurePages::scenes() {
 }
 
 bool FigurePages::isShowingFigures() const {
-  return gallery_ && currentWidget() == gallery_;
+  return figuresPage_ && currentWidget() == figuresPage_;
 }
 
 bool FigurePages::isShowingScenes() const {
@@ -114,7 +110,7 @@ bool FigurePages::isShowingScenes() const {
 /// Brings a page to the front that covers the views.
 void FigurePages::show(QWidget& page) {
   showViews();
-  commands_->get("figures")->setChecked(&page == gallery_);
+  commands_->get("figures")->setChecked(&page == figuresPage_);
   commands_->get("gallery")->setChecked(&page == scenes_);
   page.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   setCurrentWidget(&page);
@@ -125,7 +121,7 @@ void FigurePages::openFigures() {
   if (isShowingFigures())
     commands_->get("figures")->setChecked(true);
   else
-    show(gallery());
+    show(figuresPage());
 }
 
 void FigurePages::openScenes(const QString& scene) {
@@ -146,7 +142,7 @@ void FigurePages::showViews() {
 
 void FigurePages::setTheme(const Theme& theme) {
   theme_ = theme;
-  if (gallery_) gallery_->setTheme(theme);
+  if (figuresPage_) figuresPage_->setTheme(theme);
   if (scenes_) scenes_->setTheme(theme);
 }
 

@@ -13,7 +13,7 @@ class QMenu;
 namespace asperity {
 
 class Commands;
-class GalleryPage;
+class FiguresPage;
 class SceneGallery;
 
 class FigurePages : public QStackedWidget {
@@ -34,7 +34,7 @@ class FigurePages : public QStackedWidget {
   bool isShowingFigures() const;
   bool isShowingScenes() const;
   bool isShowingViews() const { return currentIndex() == 0; }
-  GalleryPage& gallery();
+  FiguresPage& figuresPage();
   SceneGallery& scenes();
   void setTheme(const Theme& theme);
 
@@ -53,7 +53,7 @@ class FigurePages : public QStackedWidget {
  private:
   void show(QWidget& page);
   Commands* commands_ = nullptr;
-  GalleryPage* gallery_ = nullptr;
+  FiguresPage* figuresPage_ = nullptr;
   SceneGallery* scenes_ = nullptr;
   Theme theme_ = lightTheme();
 };

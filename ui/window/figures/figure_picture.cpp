@@ -29,7 +29,7 @@ void FigurePicture::showFigure(std::shared_ptr<const ComputedFigure> made) {
   if (made == figure_) return;
   figure_ = std::move(made);
   describe();
-  first_ = asked_ + 1;
+  pictures_.cancel();
   requestPicture();
 }
 
@@ -39,6 +39,7 @@ void FigurePicture::describe() {
 }
 
 void FigurePicture::showText(const QString& text) {
+  pictures_.cancel();
   figure_.reset();
   image_ = {};
   text_ = text;
@@ -76,16 +77,13 @@ void FigurePicture::requestPicture() {
         image.setDevicePixelRatio(scale);
         return image;
       },
-      [this, number = asked_](const QImage& image) { take(number, image); },
+      [this, number = asked_](const QImage& image) {
+        shown_ = number;
+        image_ = image;
+        update();
+        emit painted();
+      },
       [this](const LiveText& reason) { emit failed(reason); });
-}
-
-void FigurePicture::take(std::uint64_t number, const QImage& image) {
-  if (!figure_ || number < first_) return;
-  shown_ = number;
-  image_ = image;
-  update();
-  emit painted();
 }
 
 /// The texts of the picture have the font and language of the window.

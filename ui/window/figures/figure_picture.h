@@ -10,7 +10,7 @@
 
 #include "ui/contact/contact_picture.h"
 #include "ui/language/language.h"
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 #include "ui/window/tasks/background_work.h"
 
 class QButtonGroup;
@@ -52,7 +52,6 @@ class FigurePicture : public QWidget {
  private:
   void requestPicture();
   void describe();
-  void take(std::uint64_t number, const QImage& image);
 
   std::shared_ptr<const ComputedFigure> figure_;
   QString text_;
@@ -60,7 +59,6 @@ class FigurePicture : public QWidget {
   float minTextSize_ = 0;
   QImage image_;
   std::uint64_t asked_ = 0, shown_ = 0;  // numbers of requests
-  std::uint64_t first_ = 0;              // request of the present figure; older ones are dropped
   // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
 };

@@ -104,8 +104,7 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
                                           : static_cast<int>(scene.ensemble.realizations));
   // The lines of a measured surface are its rows.
   lines_->setEnabled(hasRandomPhases(scene.surface));
-  for (QWidget* part : Widgets{lines_, form->labelForField(lines_)})
-    part->setVisible(hasRandomPhases(scene.surface));
+  setRowShown(*form, lines_, hasRandomPhases(scene.surface));
   lines_->setToolTip(
       tr("Every trial uses the same random lines; their scatter is part of the errors"));
   profiles_->setChecked(true);
@@ -196,7 +195,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
     refusals_.erase({cell.row(), column});
   else
     refusals_[{cell.row(), column}] = ParameterRow::labelText(row) + ": " + refusal;
-  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(faultColour(palette())));
+  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(errorColour(palette())));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
   if (limit) {

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -16,7 +15,7 @@
 #include "core/base/input_error.h"
 #include "core/chart/curve_set.h"
 #include "core/scene/provenance.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -24,6 +23,7 @@
 #include "ui/panels/parameter_text.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/fit/fit_results.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 
@@ -40,10 +40,9 @@ QString askFolder(QWidget* parent, const QString& proposed) {
   const QString folder =
       QFileDialog::getExistingDirectory(parent, FitPage::tr("Folder of the report"), proposed);
   if (folder.isEmpty() || !QFileInfo::exists(QDir(folder).filePath("fit.json"))) return folder;
-  const auto answer = QMessageBox::question(
-      parent, FitPage::tr("Save report"),
-      FitPage::tr("There is the report of another fit in this folder. Replace it?"));
-  return answer == QMessageBox::Yes ? folder : QString();
+  const QString question =
+      FitPage::tr("There is the report of another fit in this folder. Replace it?");
+  return askReplace(parent, FitPage::tr("Save report"), question) ? folder : QString();
 }
 
 }  // namespace
@@ -104,8 +103,9 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   });
   connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
   notes_->setText(
-      tr("Tick the parameters to fit; limits are optional. Every trial uses the same random lines, "
-         "and the weighted sum of the squared residuals is minimized. The best values appear here, "
+      tr("Tick the parameters to fit; type limits, which are optional, into “from” and “to”. Every "
+         "trial uses the same random lines, and the weighted sum of the squared residuals is "
+         "minimized. The best values appear here, "
          "and below them the curve with the points."));
   showState();
   showSheet();

@@ -13,7 +13,7 @@
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -21,7 +21,6 @@
 #include "ui/panels/parameter_row.h"
 #include "ui/panels/parameter_text.h"
 #include "ui/window/fit/fit_page.h"
-#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 

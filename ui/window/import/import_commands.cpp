@@ -1,7 +1,6 @@
 #include "ui/window/import/import_commands.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
@@ -31,8 +30,8 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 
@@ -149,20 +148,20 @@ QString ImportCommands::folder() const {
 void ImportCommands::askSurface(const Scene& scene) {
   QStringList patterns;
   for (const std::string_view ending : surfaceFileEndings()) patterns << "*." + fromUtf8(ending);
-  const QString file = QFileDialog::getOpenFileName(
-      &parts_.window, tr("Open surface"),
-      scene.surface.file.empty()
-          ? folder()
-          : QString::fromStdString((scene.folder / scene.surface.file).string()),
-      tr("Measured surfaces (%1);;All files (*)").arg(patterns.join(' ')), nullptr,
-      QFileDialog::HideNameFilterDetails);
+  const QString file =
+      askOpenFile(&parts_.window, tr("Open surface"),
+                  scene.surface.file.empty()
+                      ? folder()
+                      : QString::fromStdString((scene.folder / scene.surface.file).string()),
+                  tr("Measured surfaces (%1);;All files (*)").arg(patterns.join(' ')),
+                  QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) showSurface(scene, file);
 }
 
 void ImportCommands::askMaterial() {
-  const QString file = QFileDialog::getOpenFileName(
+  const QString file = askOpenFile(
       &parts_.window, tr("Open material"), folder(),
-      tr("Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)"), nullptr,
+      tr("Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)"),
       QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) openMaterial(file);
 }
@@ -242,10 +241,10 @@ void ImportCommands::takeMaterial(const QString& file) {
 }
 
 bool ImportCommands::askFriction() {
-  const QString file = QFileDialog::getOpenFileName(
-      &parts_.window, tr("Add measured friction"), folder(),
-      tr("Tables of velocity and friction (*.csv *.txt *.dat *.tsv);;All files (*)"), nullptr,
-      QFileDialog::HideNameFilterDetails);
+  const QString file =
+      askOpenFile(&parts_.window, tr("Add measured friction"), folder(),
+                  tr("Tables of velocity and friction (*.csv *.txt *.dat *.tsv);;All files (*)"),
+                  QFileDialog::HideNameFilterDetails);
   return !file.isEmpty() && takeFriction(file);
 }
 
@@ -257,7 +256,7 @@ bool ImportCommands::takeFriction(const QString& file) {
   std::vector<Message> remarks;  // on what is not used
   try {
     const FrictionData data = readFrictionData(path);
-    // The first note says how the columns were understood.
+    // The first note states how the columns were understood.
     for (std::size_t i = 1; i < data.notes.size(); ++i)
       remarks.push_back(message("{}: {}", data.name, data.notes[i]));
   } catch (const std::exception& error) {

@@ -31,7 +31,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
 
@@ -155,77 +155,24 @@ QCheckBox* MaterialImport::addCheck(QFormLayout& form, const char* option, const
   return box;
 }
 
+namespace {
+
+void addHeading(QFormLayout& form, const QString& text) {
+  form.addRow(new QLabel("<b>" + text + "</b>"));
+}
+
+}  // namespace
+
 void MaterialImport::buildChoices() {
   auto* content = new QWidget;
   auto* form = marginless<QFormLayout>(content);
   form->setVerticalSpacing(5);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  const auto heading = [&](const QString& text) {
-    auto* label = new QLabel("<b>" + text + "</b>");
-    form->addRow(label);
-  };
-  const QString fromFile = tr("from the file");
-  heading(tr("The measurement"));
-  frequencyUnit_ = addChoice(*form, "--frequency-unit", "dmaFrequencyUnit", tr("unit of frequency"),
-                             tr("Unit of the frequencies"), fromFile, {"Hz", "rad/s"});
-  temperatureUnit_ =
-      addChoice(*form, "--temperature-unit", "dmaTemperatureUnit", tr("unit of temperature"),
-                tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
-  modulusUnit_ = addChoice(*form, "--modulus-unit", "dmaModulusUnit", tr("unit of modulus"),
-                           tr("Unit of the moduli"), fromFile, {"Pa", "kPa", "MPa", "GPa"});
-  modulus_ = addChoice(*form, "--modulus", "dmaModulus", tr("kind of modulus"),
-                       tr("Whether the moduli are of shear (G) or of tension (E)"), fromFile,
-                       {"shear", "tension"});
-  poisson_ = addEntry(*form, "--poisson-ratio", "dmaPoisson", tr("Poisson's ratio"),
-                      tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"));
-  poisson_->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
-  temperature_ = addEntry(*form, "--temperature", "dmaTemperature", tr("test temperature"),
-                          tr("Temperature of a file that does not state one, such as 20 °C"));
-  temperature_->setPlaceholderText(fromFile);
-  instantaneous_ =
-      addEntry(*form, "--instantaneous-modulus", "dmaInstantaneous", tr("instantaneous modulus G₀"),
-               tr("Shear modulus in Pa or MPa of a series that gives parts of it"));
-  instantaneous_->setPlaceholderText(fromFile);
-  heading(tr("Columns of the table"));
-  const QString column = tr("Name of the column, or its number from 1 on");
-  for (const auto& [entry, option, name, label] :
-       std::initializer_list<std::tuple<QLineEdit**, const char*, const char*, QString>>{
-           {&frequencyColumn_, "--frequency-column", "dmaFrequencyColumn", tr("frequency column")},
-           {&temperatureColumn_, "--temperature-column", "dmaTemperatureColumn",
-            tr("temperature column")},
-           {&storageColumn_, "--storage-column", "dmaStorageColumn", tr("storage modulus column")},
-           {&lossColumn_, "--loss-column", "dmaLossColumn", tr("loss modulus column")},
-           {&lossTangentColumn_, "--tan-delta-column", "dmaLossTangentColumn",
-            tr("loss tangent column")}}) {
-    *entry = addEntry(*form, option, name, label, column);
-    (*entry)->setPlaceholderText(tr("found by its name"));
-  }
-  heading(tr("Master curve"));
-  reference_ =
-      addEntry(*form, "--reference-temperature", "dmaReference", tr("reference temperature"),
-               tr("Temperature to which all isotherms are shifted, such as 20 °C"));
-  reference_->setPlaceholderText(tr("near 25 °C"));
-  vertical_ = addCheck(*form, "--vertical-shifts", "dmaVertical", tr("vertical shifts, too"));
-  shift_ = addChoice(*form, "--shift", "dmaShift", tr("temperature shift"),
-                     tr("How the material keeps the shifts with temperature: by the formula of "
-                        "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
-                     tr("automatic"), {"wlf", "arrhenius", "table"});
-  heading(tr("Prony series"));
-  terms_ = named<SpinBox>("dmaTerms");
-  terms_->setRange(0, kMaxTerms);
-  terms_->setSpecialValueText(tr("as few as needed"));
-  terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
-  terms_->setAccessibleName(tr("number of terms"));
-  connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
-  form->addRow(tr("number of terms"), terms_);
-  controls_.emplace_back("--terms", terms_);
-  equilibrium_ =
-      addEntry(*form, "--equilibrium-modulus", "dmaEquilibrium", tr("equilibrium modulus G∞"),
-               tr("Shear modulus in Pa or MPa where it is known from elsewhere"));
-  equilibrium_->setPlaceholderText(tr("from the fit"));
-  liquid_ = addCheck(*form, "--liquid", "dmaLiquid", tr("allow G∞ = 0 (a liquid)"));
-  liquid_->setToolTip(tr("Whether the material may flow, without an equilibrium modulus"));
-  heading(tr("The material file"));
+  addMeasurement(*form);
+  addColumns(*form);
+  addMasterCurve(*form);
+  addSeries(*form);
+  addHeading(*form, tr("The material file"));
   name_ = addEntry(*form, nullptr, "dmaName", tr("name"), tr("Name of the material"));
   name_->setPlaceholderText(QFileInfo(file()).completeBaseName());
   source_ = addEntry(*form, nullptr, "dmaSource", tr("source"),
@@ -239,6 +186,79 @@ void MaterialImport::buildChoices() {
   content->setObjectName("parameterRows");
   scroll->setStyleSheet(panelStyleSheet(palette()));
   halves().addWidget(scroll);
+}
+
+void MaterialImport::addMeasurement(QFormLayout& form) {
+  const QString fromFile = tr("from the file");
+  addHeading(form, tr("The measurement"));
+  frequencyUnit_ = addChoice(form, "--frequency-unit", "dmaFrequencyUnit", tr("unit of frequency"),
+                             tr("Unit of the frequencies"), fromFile, {"Hz", "rad/s"});
+  temperatureUnit_ =
+      addChoice(form, "--temperature-unit", "dmaTemperatureUnit", tr("unit of temperature"),
+                tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
+  modulusUnit_ = addChoice(form, "--modulus-unit", "dmaModulusUnit", tr("unit of modulus"),
+                           tr("Unit of the moduli"), fromFile, {"Pa", "kPa", "MPa", "GPa"});
+  modulus_ = addChoice(form, "--modulus", "dmaModulus", tr("kind of modulus"),
+                       tr("Whether the moduli are of shear (G) or of tension (E)"), fromFile,
+                       {"shear", "tension"});
+  poisson_ = addEntry(form, "--poisson-ratio", "dmaPoisson", tr("Poisson's ratio"),
+                      tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"));
+  poisson_->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
+  temperature_ = addEntry(form, "--temperature", "dmaTemperature", tr("test temperature"),
+                          tr("Temperature of a file that does not state one, such as 20 °C"));
+  temperature_->setPlaceholderText(fromFile);
+  instantaneous_ =
+      addEntry(form, "--instantaneous-modulus", "dmaInstantaneous", tr("instantaneous modulus G₀"),
+               tr("Shear modulus in Pa or MPa of a series that gives parts of it"));
+  instantaneous_->setPlaceholderText(fromFile);
+}
+
+void MaterialImport::addColumns(QFormLayout& form) {
+  addHeading(form, tr("Columns of the table"));
+  const QString column = tr("Name of the column, or its number from 1 on");
+  for (const auto& [entry, option, name, label] :
+       std::initializer_list<std::tuple<QLineEdit**, const char*, const char*, QString>>{
+           {&frequencyColumn_, "--frequency-column", "dmaFrequencyColumn", tr("frequency column")},
+           {&temperatureColumn_, "--temperature-column", "dmaTemperatureColumn",
+            tr("temperature column")},
+           {&storageColumn_, "--storage-column", "dmaStorageColumn", tr("storage modulus column")},
+           {&lossColumn_, "--loss-column", "dmaLossColumn", tr("loss modulus column")},
+           {&lossTangentColumn_, "--tan-delta-column", "dmaLossTangentColumn",
+            tr("loss tangent column")}}) {
+    *entry = addEntry(form, option, name, label, column);
+    (*entry)->setPlaceholderText(tr("found by its name"));
+  }
+}
+
+void MaterialImport::addMasterCurve(QFormLayout& form) {
+  addHeading(form, tr("Master curve"));
+  reference_ =
+      addEntry(form, "--reference-temperature", "dmaReference", tr("reference temperature"),
+               tr("Temperature to which all isotherms are shifted, such as 20 °C"));
+  reference_->setPlaceholderText(tr("near 25 °C"));
+  vertical_ = addCheck(form, "--vertical-shifts", "dmaVertical", tr("vertical shifts, too"));
+  shift_ = addChoice(form, "--shift", "dmaShift", tr("temperature shift"),
+                     tr("How the material keeps the shifts with temperature: by the formula of "
+                        "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
+                     tr("automatic"), {"wlf", "arrhenius", "table"});
+}
+
+void MaterialImport::addSeries(QFormLayout& form) {
+  addHeading(form, tr("Prony series"));
+  terms_ = named<SpinBox>("dmaTerms");
+  terms_->setRange(0, kMaxTerms);
+  terms_->setSpecialValueText(tr("as few as needed"));
+  terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
+  terms_->setAccessibleName(tr("number of terms"));
+  connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
+  form.addRow(tr("number of terms"), terms_);
+  controls_.emplace_back("--terms", terms_);
+  equilibrium_ =
+      addEntry(form, "--equilibrium-modulus", "dmaEquilibrium", tr("equilibrium modulus G∞"),
+               tr("Shear modulus in Pa or MPa where it is known from elsewhere"));
+  equilibrium_->setPlaceholderText(tr("from the fit"));
+  liquid_ = addCheck(form, "--liquid", "dmaLiquid", tr("allow G∞ = 0 (a liquid)"));
+  liquid_->setToolTip(tr("Whether the material may flow, without an equilibrium modulus"));
 }
 
 /// Returns the present choices. Throws InputError (option) where an entry is invalid.
@@ -311,21 +331,21 @@ QString MaterialImport::withControlNames(const std::string& option, QString text
 }
 
 void MaterialImport::begin() {
-  MaterialChoices wanted;
+  MaterialChoices chosen;
   try {
-    wanted = choices();
+    chosen = choices();
   } catch (const InputError& error) {
     work_.cancel();
     return refuse(error.key(), error.message());
   }
   work_.request(
-      [file = file().toStdString(), bytes = bytes_, wanted](const BackgroundWork::Run& run) {
+      [file = file().toStdString(), bytes = bytes_, chosen](const BackgroundWork::Run& run) {
         Preview preview{bytes, {}, {}};
         try {
           if (!preview.bytes)
             preview.bytes =
                 std::make_shared<const std::string>(readRegularFile(file, kLargestFile));
-          MaterialChoices choices = wanted;
+          MaterialChoices choices = chosen;
           choices.stop = run.stop();
           preview.material = std::make_shared<const Material>(makeMaterial(
               *preview.bytes, std::filesystem::path(file).filename().string(), choices));

@@ -53,6 +53,10 @@ class MaterialImport : public ImportPage {
   struct Preview;
   void buildViews(const Theme& theme);
   void buildChoices();
+  void addMeasurement(QFormLayout& form);
+  void addColumns(QFormLayout& form);
+  void addMasterCurve(QFormLayout& form);
+  void addSeries(QFormLayout& form);
   /// Adds controls with the option of the command that each stands for; null: none.
   QLineEdit* addEntry(QFormLayout& form, const char* option, const char* name, const QString& label,
                       const QString& tip);

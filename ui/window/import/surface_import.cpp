@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "core/run/measured_sheet.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
+#include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
@@ -33,16 +35,11 @@ namespace {
 
 /// Shades that stay apart in print and for colour-blind eyes: from dark blue over green to yellow.
 QRgb topographyShade(double part) {
-  static constexpr struct {
-    double red, green, blue;
-  } kStops[] = {{45, 20, 80}, {50, 80, 140}, {35, 140, 140}, {95, 200, 100}, {250, 230, 60}};
-  constexpr int kLast = 4;
-  const double position = std::clamp(part, 0.0, 1.0) * kLast;
-  const int below = std::min(static_cast<int>(position), kLast - 1);
-  const double share = position - below;
-  const auto mix = [&](double a, double b) { return static_cast<int>(a + (b - a) * share + 0.5); };
-  const auto &a = kStops[below], &b = kStops[below + 1];
-  return qRgb(mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue));
+  static constexpr std::array<QColor, 5> kStops{
+      {{45, 20, 80}, {50, 80, 140}, {35, 140, 140}, {95, 200, 100}, {250, 230, 60}}};
+  const double position = std::clamp(part, 0.0, 1.0) * (kStops.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(position), kStops.size() - 2);
+  return mixed(kStops[below], kStops[below + 1], position - static_cast<double>(below)).rgb();
 }
 
 /// Returns the mean height of each patch of the grid; NaN where nothing was measured.

@@ -22,7 +22,7 @@
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/lesson_text.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
 

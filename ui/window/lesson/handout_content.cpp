@@ -75,8 +75,8 @@ class HandoutMaker {
 
   void addStep(int number) {
     const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
-    const bool tells = number > 0 && !options_.forTeacher && mayTellAnswer(number);
-    if (tells) {
+    const bool reveals = number > 0 && !options_.forTeacher && mayRevealAnswer(number);
+    if (reveals) {
       blocks_.back().withNext = KeepWithNext::Always;
       add("<p><i>" + fromUtf8(Words::tr("Turn the page when you have answered.")) + "</i></p>");
     }
@@ -84,7 +84,7 @@ class HandoutMaker {
             .arg(number + 1)
             .arg(plainText(step.title).toHtmlEscaped()),
         KeepWithNext::Always);
-    blocks_.back().beginsPage = tells;
+    blocks_.back().beginsPage = reveals;
     add(richText(shown(step.text)));
     const std::size_t text = blocks_.size() - 1;
     addContact(step.scene);
@@ -102,10 +102,10 @@ class HandoutMaker {
     revealedQuantity_ = step.show.quantity;
   }
 
-  /// Returns whether a step may tell the answer to the question of the step before: on the screen
+  /// Returns whether a step may reveal the answer to the question of the step before: on the screen
   /// that answer changed the picture or showed the curve, or the step shows another contact, or it
   /// asks nothing but explains.
-  bool mayTellAnswer(int number) const {
+  bool mayRevealAnswer(int number) const {
     const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
     const LessonStep& before = lesson_.steps[static_cast<std::size_t>(number) - 1];
     if (!before.prediction) return false;
@@ -272,8 +272,8 @@ class HandoutMaker {
       add(richText(prediction.right, prediction, answer, {}),
           step.reveal.empty() ? KeepWithNext::No : KeepWithNext::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
-    // Pictures may go to the next page: else a large part of this one could stay empty. So they say
-    // what they belong to.
+    // Pictures may go to the next page: else a large part of this one could stay empty. So they
+    // have a caption.
     const std::size_t caption = blocks_.size();
     add("<p><i>" + fromUtf8(Words::tr("After the answer to step %1")).arg(number + 1) + ":</i></p>",
         KeepWithNext::Always);

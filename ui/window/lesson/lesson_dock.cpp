@@ -21,8 +21,8 @@ namespace {
 
 // The heights in pixels of the pane and of the parameters below it at the start: a step frees only
 // a few of them.
-constexpr int kDefaultHeight = 430, kParametersHeight = 230;
-constexpr int kMinHeight = 260;  // of the pane
+constexpr int kDefaultHeight = 390, kParametersHeight = 230;
+constexpr int kMinHeight = 220;  // of the pane
 constexpr int kUsualRows = 52;   // of the parameters that a step usually frees
 
 /// Returns the height in pixels that the content of an area needs.
@@ -45,6 +45,7 @@ LessonDock::LessonDock(QMainWindow& window, QDockWidget& parameters, const Param
       parameters_(parameters),
       panel_(panel),
       pane_(new LessonPane),
+      foot_(named<QDockWidget>("lessonFootDock")),
       title_(new WrappedLabel),
       keep_(named<QToolButton>("lessonKeep")),
       close_(named<QToolButton>("lessonEnd")),
@@ -57,10 +58,18 @@ LessonDock::LessonDock(QMainWindow& window, QDockWidget& parameters, const Param
   rows_->widget()->installEventFilter(this);
   window.addDockWidget(Qt::RightDockWidgetArea, this);
   window.splitDockWidget(this, &parameters, Qt::Vertical);
+  foot_->setFeatures(NoDockWidgetFeatures);
+  foot_->setTitleBarWidget(new QWidget);
+  foot_->setWidget(&pane_->foot());
+  window.addDockWidget(Qt::RightDockWidgetArea, foot_);
+  // The buttons come after the texts and answers, and before the parameters.
+  orderTabs(*pane_->findChild<QLabel*>("lessonScore"), *pane_->foot().layout());
   hide();
-  toggleViewAction()->setVisible(false);  // it comes and goes with a lesson
+  for (QDockWidget* dock : {static_cast<QDockWidget*>(this), foot_})
+    dock->toggleViewAction()->setVisible(false);  // they come and go with a lesson
   keepTranslated(*this, [this] {
     setWindowTitle(tr("Lesson"));
+    foot_->setWindowTitle(tr("Steps of the lesson"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
     keep_->setText(tr("Save results…").replace(' ', '\n'));  // it leaves the title its width
     keep_->setAccessibleName(keep_->toolTip());
@@ -98,9 +107,15 @@ void LessonDock::showTitle(const QString& title) {
 void LessonDock::begin() {
   // A lesson may begin while the panel is closed; a step that frees parameters opens it.
   parameters_.show();
+  window_.addDockWidget(Qt::RightDockWidgetArea, foot_);  // below docks that were moved
   show();
   window_.resizeDocks({this, &parameters_}, {kDefaultHeight, kParametersHeight}, Qt::Vertical);
   isBeginning_ = true;
+}
+
+void LessonDock::setVisible(bool isVisible) {
+  QDockWidget::setVisible(isVisible);
+  foot_->setVisible(isVisible);
 }
 
 void LessonDock::shareHeightSoon() {
@@ -124,17 +139,21 @@ bool LessonDock::eventFilter(QObject* watched, QEvent* event) {
 
 /// Moves the border between the pane and the parameters where one of them has to be scrolled while
 /// the other has room. Where both have to be, the parameters are shown whole if the pane can give
-/// the height: the text may tell the student to move one of them. Elsewhere the border stays, and
-/// with it the buttons: at the beginning, and where it moves for the text, it leaves the parameters
-/// no more than the next steps are likely to need, so that it need not move again.
+/// the height: the text may tell the student to move one of them. Before the answer they are
+/// locked, and the question comes first. Elsewhere the border stays: at the beginning, and where it
+/// moves for the text, it leaves the parameters no more than the next steps are likely to need, so
+/// that it need not move again.
 void LessonDock::shareHeight(int corrections) {
   const auto* text = pane_->findChild<QScrollArea*>();
   if (isHidden() || !parameters_.isVisible() || !text) return;
   const int hiddenText = hiddenHeight(*text), hiddenRows = hiddenHeight(*rows_);
   const int most = std::max(0, pane_->height() - kMinHeight);
   int toRows = 0;
-  if (hiddenRows > 0) {
-    toRows = hiddenRows <= most ? hiddenRows : std::clamp(-hiddenText, 0, most);
+  if (pane_->isAsking() && hiddenText > 0) {
+    toRows = -std::min(hiddenText, rows_->viewport()->height());
+  } else if (hiddenRows > 0) {
+    const bool isFirst = hiddenRows <= most && !pane_->isAsking();
+    toRows = isFirst ? hiddenRows : std::clamp(std::min(-hiddenText, hiddenRows), 0, most);
   } else if (std::exchange(isBeginning_, false) || hiddenText > 0) {
     const int room = -hiddenRows, needed = std::min(hiddenText, room);
     const int kept = std::max(0, kUsualRows - neededHeight(*rows_));

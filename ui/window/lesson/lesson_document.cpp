@@ -18,10 +18,6 @@ namespace {
 
 const QString kDraft = QStringLiteral("lessonDraft");
 
-bool goesOn(const LessonStep& step) {
-  return step.sceneName.empty() && step.sceneJson.empty();
-}
-
 /// Returns the assignments of two lists, of which the second one replaces those of the same keys.
 std::vector<std::string> joined(std::vector<std::string> set,
                                 const std::vector<std::string>& more) {
@@ -78,7 +74,7 @@ void LessonDocument::takeScenes(const Lesson& read) {
 /// Gives a step that goes on from the one before a scene of its own, so that it stays the same
 /// wherever it stands; its changes stay changes.
 void LessonDocument::keepOwnScene(std::size_t step) {
-  if (step == 0 || step >= lesson.steps.size() || !goesOn(lesson.steps[step])) return;
+  if (step == 0 || step >= lesson.steps.size() || lesson.steps[step].hasOwnScene()) return;
   lesson.steps[step].sceneJson = writeScene(lesson.steps[step - 1].revealedScene);
 }
 
@@ -107,7 +103,8 @@ void LessonDocument::insertStep(std::size_t place, LessonStep step) {
 
 void LessonDocument::removeStep(std::size_t place) {
   const LessonStep removed = lesson.steps[place];
-  const bool isContinued = place + 1 < lesson.steps.size() && goesOn(lesson.steps[place + 1]);
+  const bool isContinued =
+      place + 1 < lesson.steps.size() && !lesson.steps[place + 1].hasOwnScene();
   keepOwnScene(place + 1);
   lesson.steps.erase(lesson.steps.begin() + static_cast<std::ptrdiff_t>(place));
   if (!isContinued) return;

@@ -2,7 +2,6 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -27,12 +26,12 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
-#include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/lesson/lesson_text.h"
+#include "ui/window/lesson/lesson_validation.h"
 #include "ui/window/lesson/prediction_fields.h"
 #include "ui/window/main/document_commands.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"
 
@@ -50,7 +49,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
     : QDialog(parent),
       document_(std::move(document)),
       shownNow_(std::move(shownNow)),
-      check_(new LessonCheck(this)),
+      validation_(new LessonValidation(this)),
       keeping_(new QTimer(this)) {
   setObjectName("lessonEditor");
   setWindowTitle(tr("Lesson editor"));
@@ -93,7 +92,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   connect(language_, &QTabBar::currentChanged, this, &LessonEditor::showStep);
   connect(steps_, &QListWidget::currentRowChanged, this, &LessonEditor::showStep);
   connect(step_, &LessonStepPage::shownSceneRequested, this, &LessonEditor::takeShownScene);
-  connect(check_, &LessonCheck::answerFound, this, &LessonEditor::check);
+  connect(validation_, &LessonValidation::answerFound, this, &LessonEditor::check);
   // Undo and redo are those of the lesson, also where a field of text has the focus.
   const auto addKeys = [this](const QKeySequence& keys, auto slot) {
     connect(new QShortcut(keys, this), &QShortcut::activated, this, slot);
@@ -238,11 +237,10 @@ void LessonEditor::showStep() {
 
 /// Returns the name of the scene with which a step begins.
 QString LessonEditor::sceneText(std::size_t step) const {
-  const LessonStep& asked = lesson().steps[step];
-  QString title = translatedText(Message(asked.scene.title));
+  const LessonStep& shown = lesson().steps[step];
+  QString title = translatedText(Message(shown.scene.title));
   if (title.isEmpty()) title = tr("(no title)");
-  const bool goesOn = asked.sceneName.empty() && asked.sceneJson.empty();
-  return goesOn ? tr("%1, as step %2 leaves it").arg(title).arg(step) : title;
+  return shown.hasOwnScene() ? title : tr("%1, as step %2 leaves it").arg(title).arg(step);
 }
 
 // ---- Taking what is written
@@ -260,7 +258,7 @@ void LessonEditor::take() {
   check();
 }
 
-/// Says in the tabs of the languages how many texts each of them lacks, where it has some.
+/// Shows in the tabs of the languages how many texts each of them lacks, where it has some.
 void LessonEditor::showMissing() {
   const QString names[] = {QStringLiteral("English"), QStringLiteral("Deutsch")};
   const QStringList missing[] = {missingTexts(lesson(), false), missingTexts(lesson(), true)};
@@ -281,10 +279,10 @@ void LessonEditor::showMissing() {
 void LessonEditor::check() {
   const int place = presentStep();
   const LessonStep* step = present();
-  check_->check(document_, place, step ? step_->prediction().unreadable() : QString());
-  if (step) step_->prediction().showComputed(check_->computedText(*step));
+  validation_->check(document_, place, step ? step_->prediction().unreadable() : QString());
+  if (step) step_->prediction().showComputed(validation_->computedText(*step));
   showMissing();
-  messageLabel_->setText(check_->whyNotPlayed());
+  messageLabel_->setText(validation_->whyNotPlayed());
   if (document_.remember(steps_->currentRow(), typedIn_)) keepSoon();
   showButtons();
   if (step) steps_->item(place + 1)->setText(stepName(static_cast<std::size_t>(place)));
@@ -333,7 +331,7 @@ bool LessonEditor::eventFilter(QObject* watched, QEvent* event) {
 
 /// Enables the buttons that the state of the lesson allows.
 void LessonEditor::showButtons() {
-  const bool isPlayed = check_->whyNotPlayed().isEmpty();
+  const bool isPlayed = validation_->whyNotPlayed().isEmpty();
   try_->setEnabled(isPlayed);
   handout_->setEnabled(isPlayed && !saver_->isSaving());
   undo_->setEnabled(document_.canUndo());
@@ -354,7 +352,7 @@ void LessonEditor::addShownStep() {
   step_->beginText();
 }
 
-/// Returns the step that the window shows; else says why there is none.
+/// Returns the step that the window shows; else shows why there is none.
 std::optional<LessonStep> LessonEditor::takenStep() {
   std::optional<LessonStep> taken = shownNow_();
   if (!taken)
@@ -399,10 +397,8 @@ void LessonEditor::showChange(int row) {
 
 void LessonEditor::openOther() {
   if (!canClose()) return;
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open lesson"), proposedFolder(document_.file()),
+  const QString file = askOpenFile(this, tr("Open lesson"), proposedFolder(document_.file()),
                                    tr("Lessons (*.json);;All files (*)"));
-  rememberFolder(file);
   if (!file.isEmpty()) openFile(file);
 }
 
@@ -414,7 +410,7 @@ void LessonEditor::openFile(const QString& file) {
     return;
   }
   forgetUnsaved();
-  check_->forget();
+  validation_->forget();
   showChange(0);
 }
 
@@ -427,7 +423,7 @@ bool LessonEditor::saveTo(const QString& file) {
   }
   forgetUnsaved();
   const QString name = QFileInfo(file).fileName();
-  const QString reason = check_->whyNotPlayed();
+  const QString reason = validation_->whyNotPlayed();
   messageLabel_->setText(
       reason.isEmpty() ? tr("Saved %1").arg(name)
                        : tr("Saved %1 as a draft. Before it can be played: %2").arg(name, reason));

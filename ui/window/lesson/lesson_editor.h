@@ -1,8 +1,8 @@
 // The window in which a teacher writes a lesson: steps are added from the scene of the main window,
 // ordered, and written on their pages (lesson_pages.h). Each change is checked as a file would be
-// (lesson_check.h), can be undone (lesson_document.h), and the lesson can be tried at once. GUI
-// thread. Failure: one line shows the error and its position; until it is corrected the lesson is
-// saved as a draft, which the editor opens again.
+// (lesson_validation.h), can be undone (lesson_document.h), and the lesson can be tried at once.
+// GUI thread. Failure: one line shows the error and its position; until it is corrected the lesson
+// is saved as a draft, which the editor opens again.
 #pragma once
 
 #include <QDialog>
@@ -10,8 +10,8 @@
 #include <functional>
 #include <optional>
 
-#include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_document.h"
+#include "ui/window/lesson/lesson_validation.h"
 
 class QLabel;
 class QListWidget;
@@ -50,9 +50,9 @@ class LessonEditor : public QDialog {
   /// Returns the lesson as it is on the page, which may still have errors.
   const Lesson& lesson() const { return document_.lesson; }
   /// Returns the error message; empty without an error.
-  const QString& errorText() const { return check_->error(); }
-  bool isComputing() const { return check_->isComputing(); }
-  bool hasWork() const { return check_->hasWork(); }
+  const QString& errorText() const { return validation_->error(); }
+  bool isComputing() const { return validation_->isComputing(); }
+  bool hasWork() const { return validation_->hasWork(); }
   HandoutSaver& saver() { return *saver_; }
 
   void addShownStep();
@@ -120,7 +120,7 @@ class LessonEditor : public QDialog {
   LessonStepPage* step_;
   QLabel* messageLabel_;
   QPushButton *remove_, *up_, *down_, *try_, *handout_, *undo_, *redo_;
-  LessonCheck* check_;
+  LessonValidation* validation_;
   HandoutSaver* saver_;
   QTimer* keeping_;  // runs until what was edited is kept against a crash
 };

@@ -289,8 +289,7 @@ void LessonForm::addRow(const QString& label, QWidget* field) {
 }
 
 void LessonForm::setShown(QWidget* field, bool isShown) {
-  field->setVisible(isShown);
-  if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);
+  setRowShown(*rows_, field, isShown);
 }
 
 void LessonForm::notifyEdited() {

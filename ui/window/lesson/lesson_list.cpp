@@ -1,7 +1,6 @@
 #include "ui/window/lesson/lesson_list.h"
 
 #include <QCheckBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -17,7 +16,7 @@
 #include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_text.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -217,11 +216,10 @@ void LessonList::begin() {
 }
 
 void LessonList::askFile() {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      this, tr("Open a lesson or the results of students"), proposedFolder(),
-      tr("Lessons and results (*.json);;All files (*)"));
+  const QStringList files =
+      askOpenFiles(this, tr("Open a lesson or the results of students"), proposedFolder(),
+                   tr("Lessons and results (*.json);;All files (*)"));
   if (files.isEmpty()) return;
-  rememberFolder(files.first());
   accept();
   if (files.size() == 1)
     emit lessonRequested(files.first());

@@ -34,7 +34,7 @@ class FootButton : public QPushButton {
   QSize minimumSizeHint() const override { return sizeHint(); }
 };
 
-/// Returns HTML as a screen reader says it.
+/// Returns HTML as a screen reader reads it.
 QString spoken(const QString& html) {
   return QTextDocumentFragment::fromHtml(html).toPlainText();
 }
@@ -67,7 +67,9 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   back_ = named<FootButton>("lessonBack");
   show_ = named<FootButton>("lessonShow");
   next_ = named<FootButton>("lessonNext");
-  auto* foot = new QHBoxLayout;
+  foot_ = named<QWidget>("lessonFoot");
+  foot_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  auto* foot = new QHBoxLayout(foot_);
   foot->setContentsMargins(14, 6, 14, 8);
   foot->setSpacing(6);
   foot->addWidget(progress_, 1);
@@ -78,8 +80,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   auto* all = marginless<QVBoxLayout>(this, 0);
   all->addWidget(scroll_, 1);
   score_ = addText(*all, "lessonScore");  // in sight, however long the texts are
-  score_->setContentsMargins(14, 6, 14, 0);
-  all->addLayout(foot);
+  score_->setContentsMargins(14, 6, 14, 6);
 
   // Texts get their heights one after the other, and others with the width of the window.
   connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {

@@ -1,6 +1,7 @@
 // The pane of a lesson: the text of a step, the question with its choices or its number, the right
-// answer, and the buttons to go on. It holds no lesson: it shows a step and reports the student's
-// actions by signals. The buttons do not move. GUI thread; owned by its parent. Cannot fail.
+// answer, and its foot, a widget of its own with the buttons to go on. It holds no lesson: it shows
+// a step and reports the student's actions by signals. GUI thread; owned by its parent. Cannot
+// fail.
 #pragma once
 
 #include <QWidget>
@@ -34,7 +35,12 @@ class LessonPane : public QWidget {
  public:
   explicit LessonPane(QWidget* parent = nullptr);
 
+  /// The line of the buttons, which its owner shows in a place where they do not move.
+  QWidget& foot() { return *foot_; }
+
   void showStep(const LessonPage& page);
+  /// Returns whether the step asks a question that is not answered yet.
+  bool isAsking() const { return isAsking_; }
   /// Shows that the answer is still being computed, after "Check" was pressed.
   void setWaiting(bool isWaiting);
   /// Shows a note below the answer, such as the reason why it cannot be computed.
@@ -72,6 +78,7 @@ class LessonPane : public QWidget {
   void check();
 
   QScrollArea* scroll_;
+  QWidget* foot_;
   AnswerInput* input_ = nullptr;  // of the question of the step; null: it has none here
   QVBoxLayout* inputLayout_;
   QLabel *title_, *text_, *question_, *tolerance_, *verdict_, *reveal_, *note_, *score_, *progress_;

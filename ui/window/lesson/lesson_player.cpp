@@ -127,7 +127,7 @@ void LessonPlayer::show(int step) {
   stopFinding();
   showScene();
   // The text of a step may describe a movement, so its picture moves.
-  if (!present().sceneName.empty() || !present().sceneJson.empty()) parts_.session.setPlaying(true);
+  if (present().hasOwnScene()) parts_.session.setPlaying(true);
   showChart();
   showPage();
   if (point_->isVisible() && !isRevealed())

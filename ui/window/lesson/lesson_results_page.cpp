@@ -20,7 +20,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/window/lesson/lesson_text.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/window_layout.h"
 

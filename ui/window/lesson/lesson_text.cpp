@@ -189,30 +189,30 @@ QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answ
                             ? QString()
                             : fromUtf8(Words::tr("The program finds %1."))
                                   .arg(valueInWords(prediction, answer.number, answer.x));
-  const auto tells = [](const LessonText& text, const char* place) {
+  const auto contains = [](const LessonText& text, const char* place) {
     return shown(text).find(place) != std::string::npos;
   };
   if (!given.isGiven()) {
-    const bool tellsAnswerAlone =
-        tells(prediction.wrong, "{") && !tells(prediction.wrong, "{given");
-    return tellsAnswerAlone ? richText(prediction.wrong, prediction, answer, given)
-                            : paragraph(found);
+    const bool hasAnswerAlone =
+        contains(prediction.wrong, "{") && !contains(prediction.wrong, "{given");
+    return hasAnswerAlone ? richText(prediction.wrong, prediction, answer, given)
+                          : paragraph(found);
   }
-  const LessonText& said = isRight ? prediction.right : prediction.wrong;
+  const LessonText& comment = isRight ? prediction.right : prediction.wrong;
   const bool isPoint = prediction.kind == PredictionKind::Point && !prediction.x;
   QString verdict = "<p><b>" +
                     (isRight ? QStringLiteral("✓ ") + fromUtf8(Words::tr("Right"))
                              : QStringLiteral("✗ ") + fromUtf8(Words::tr("No"))) +
                     "</b></p>";
   QStringList sentences;
-  if (isPoint || (!isChoice && !tells(said, "{given")))
+  if (isPoint || (!isChoice && !contains(comment, "{given")))
     sentences += fromUtf8(Words::tr("You said %1."))
                      .arg(valueInWords(prediction, {given.number, answer.number.unit},
                                        {given.x, answer.x.unit}));
   if (isPoint && !isRight) sentences += mistakeText(prediction, answer, given);
-  // A text to a choice may say in words what was computed.
-  if (isChoice ? said.empty() : !tells(said, "{answer")) sentences += found;
-  return verdict + paragraph(sentences.join(' ')) + richText(said, prediction, answer, given);
+  // A text to a choice may have in words what was computed.
+  if (isChoice ? comment.empty() : !contains(comment, "{answer")) sentences += found;
+  return verdict + paragraph(sentences.join(' ')) + richText(comment, prediction, answer, given);
 }
 
 }  // namespace asperity

@@ -1,11 +1,8 @@
 #include "ui/window/lesson/lessons.h"
 
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QWindow>
 #include <algorithm>
@@ -28,8 +25,8 @@
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
@@ -151,10 +148,8 @@ void Lessons::addTo(Commands& commands) {
 
 /// Asks for the files of a class, which may be of several lessons.
 void Lessons::askResults() {
-  const QStringList files =
-      QFileDialog::getOpenFileNames(&parts_.window, tr("Results of a class"), proposedFolder(),
-                                    tr("Results (*.json);;All files (*)"));
-  rememberFolder(files.value(0));
+  const QStringList files = askOpenFiles(&parts_.window, tr("Results of a class"), proposedFolder(),
+                                         tr("Results (*.json);;All files (*)"));
   if (!files.isEmpty()) openResults(files);
 }
 
@@ -248,17 +243,9 @@ Lessons::Otherwise Lessons::discards() {
 /// Asks whether work of an earlier session is to be continued. The Escape key continues it.
 bool Lessons::wantsToGoOn(const QString& name, const QString& question,
                           const Otherwise& otherwise) const {
-  QMessageBox box(QMessageBox::Question, tr("Asperity"), {},
-                  QMessageBox::Yes | QMessageBox::Discard, &parts_.window);
-  box.setObjectName(name);
-  box.setTextFormat(Qt::PlainText);  // titles are not markup
-  box.setText(question);
-  box.setInformativeText(otherwise.means);
-  box.setDefaultButton(QMessageBox::Yes);
-  box.setEscapeButton(QMessageBox::Yes);
-  box.button(QMessageBox::Yes)->setText(tr("&Go on"));
-  box.button(QMessageBox::Discard)->setText(otherwise.button);
-  return box.exec() != QMessageBox::Discard;
+  return ask(&parts_.window, {name, tr("Asperity"), question, otherwise.means},
+             {{QMessageBox::Yes, tr("&Go on")}, {QMessageBox::Discard, otherwise.button}},
+             QMessageBox::Yes) != QMessageBox::Discard;
 }
 
 void Lessons::hideDuringLesson(LessonEditor& editor) {
@@ -435,7 +422,7 @@ bool Lessons::mayLeave() {
 bool Lessons::canClose() {
   LessonEditor* open = editor();
   if (!open || open->canClose()) return mayLeave();
-  bringToFront(*open);  // it says why the lesson could not be saved
+  bringToFront(*open);  // it shows why the lesson could not be saved
   return false;
 }
 

@@ -14,8 +14,8 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_form.h"
+#include "ui/window/lesson/lesson_validation.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 
 namespace asperity {

@@ -227,16 +227,6 @@ void PredictionPoint::keyPressEvent(QKeyEvent* event) {
   QAccessible::updateAccessibility(&changed);
 }
 
-void PredictionPoint::focusInEvent(QFocusEvent* event) {
-  QWidget::focusInEvent(event);
-  update();
-}
-
-void PredictionPoint::focusOutEvent(QFocusEvent* event) {
-  QWidget::focusOutEvent(event);
-  update();
-}
-
 bool PredictionPoint::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &chart_ && event->type() == QEvent::Resize) setGeometry(chart_.rect());
   return QWidget::eventFilter(watched, event);

@@ -179,7 +179,7 @@ Appearance::Appearance(QWidget& window)
 bool Appearance::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ApplicationPaletteChange && systemIsDark() != isSystemDark_) {
     isSystemDark_ = !isSystemDark_;
-    setColours(colours_);
+    chooseTheme(choice_);
   }
   return QObject::eventFilter(watched, event);
 }
@@ -188,7 +188,7 @@ void Appearance::addTo(Commands& commands) {
   commands_ = &commands;
   commands.add({"light",
                 [this] { return isDark_ ? tr("Light colours") : tr("Dark colours"); },
-                [this] { setColours(isDark_ ? Colours::Light : Colours::Dark); },
+                [this] { chooseTheme(isDark_ ? ThemeChoice::Light : ThemeChoice::Dark); },
                 {},
                 Symbol::Light});
 }
@@ -196,11 +196,11 @@ void Appearance::addTo(Commands& commands) {
 void Appearance::addMenu(QMenu& menu) {
   QMenu* themes = menu.addMenu(QString());
   auto* group = new QActionGroup(this);
-  for (const Colours colours : {Colours::System, Colours::Light, Colours::Dark}) {
-    QAction* action = themes->addAction(QString(), this, [this, colours] { setColours(colours); });
-    action->setObjectName(QStringLiteral("colours:%1").arg(static_cast<int>(colours)));
+  for (const ThemeChoice choice : {ThemeChoice::System, ThemeChoice::Light, ThemeChoice::Dark}) {
+    QAction* action = themes->addAction(QString(), this, [this, choice] { chooseTheme(choice); });
+    action->setObjectName(QStringLiteral("colours:%1").arg(static_cast<int>(choice)));
     action->setCheckable(true);
-    action->setChecked(colours == colours_);
+    action->setChecked(choice == choice_);
     group->addAction(action);
     choices_ += action;
   }
@@ -212,12 +212,12 @@ void Appearance::addMenu(QMenu& menu) {
   });
 }
 
-void Appearance::setColours(Colours colours) {
-  colours_ = colours;
-  if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
-  const bool dark = colours == Colours::System ? isSystemDark_ : colours == Colours::Dark;
+void Appearance::chooseTheme(ThemeChoice choice) {
+  choice_ = choice;
+  if (!choices_.isEmpty()) choices_.at(static_cast<int>(choice))->setChecked(true);
+  const bool dark = choice == ThemeChoice::System ? isSystemDark_ : choice == ThemeChoice::Dark;
   if (dark != isDark_) setDark(dark);
-  emit coloursSet();
+  emit themeChosen();
 }
 
 void Appearance::setDark(bool dark) {

@@ -22,11 +22,12 @@ namespace asperity {
 
 class Commands;
 
-enum class Colours { System, Light, Dark };
+/// The theme that the user chose.
+enum class ThemeChoice { System, Light, Dark };
 
 /// The choices by their words in the settings.
-inline constexpr NamedChoices<Colours, 3> kColourChoices{
-    {{"system", Colours::System}, {"light", Colours::Light}, {"dark", Colours::Dark}}};
+inline constexpr NamedChoices<ThemeChoice, 3> kThemeChoices{
+    {{"system", ThemeChoice::System}, {"light", ThemeChoice::Light}, {"dark", ThemeChoice::Dark}}};
 
 class Appearance : public QObject {
   Q_OBJECT
@@ -40,9 +41,9 @@ class Appearance : public QObject {
   /// Adds a submenu: same as system, light, dark.
   void addMenu(QMenu& menu);
 
-  /// Chooses the colours of the system, or always light or dark ones.
-  void setColours(Colours colours);
-  Colours colours() const { return colours_; }
+  /// Follows the theme of the system, or always uses the light or the dark one.
+  void chooseTheme(ThemeChoice choice);
+  ThemeChoice themeChoice() const { return choice_; }
 
   /// Sets palette and style sheet again, also where only the font has changed.
   void setDark(bool dark);
@@ -54,16 +55,16 @@ class Appearance : public QObject {
 
  signals:
   void themeChanged(const asperity::Theme& theme);
-  /// Emitted by setColours(), also where the theme stays.
-  void coloursSet();
+  /// Emitted by chooseTheme(), also where the theme stays.
+  void themeChosen();
 
  private:
   void applyTheme();
 
   QWidget& window_;
   Commands* commands_ = nullptr;
-  QList<QAction*> choices_;  // one for each value of Colours
-  Colours colours_ = Colours::System;
+  QList<QAction*> choices_;  // one for each value of ThemeChoice
+  ThemeChoice choice_ = ThemeChoice::System;
   bool isSystemDark_ = false, isDark_ = false;
 };
 

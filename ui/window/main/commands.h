@@ -55,7 +55,7 @@ class Commands : public QObject {
   /// Adds a command, whose keys work in the whole window.
   QAction* add(Command command);
 
-  /// Gives a command a tooltip that says what it does, in place of its text.
+  /// Gives a command a tooltip that describes it, in place of its text.
   void setTip(const std::string& name, std::function<QString()> tip);
 
   /// Returns a command that was added; the name must be correct.
@@ -83,7 +83,7 @@ class Commands : public QObject {
   QColor colour_;
 };
 
-/// Adds to a menu that has no entries one that says why, and cannot be chosen.
+/// Adds to a menu without entries one that gives the reason, and cannot be chosen.
 void explainEmpty(QMenu& menu, const QString& reason);
 
 /// Returns a text for a button: without dots.

@@ -1,7 +1,6 @@
 #include "ui/window/main/document_commands.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
@@ -24,8 +23,8 @@
 #include "ui/panels/parameter_row.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/main/commands.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -101,11 +100,10 @@ void DocumentCommands::showHistory() {
 // ---- Opening
 
 void DocumentCommands::askOpen() {
-  const QString file = QFileDialog::getOpenFileName(
+  const QString file = askOpenFile(
       &window_, tr("Open scene"), proposedFolder(document_.file()),
       tr("Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif "
          "*.webp);;Scenes (*.json);;All files (*)"));
-  rememberFolder(file);
   if (!file.isEmpty()) openFile(file);
 }
 

@@ -10,8 +10,8 @@
 #include "ui/chart/chart_view.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
-#include "ui/draw/png_file.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/accuracy/accuracy_panel.h"
@@ -20,11 +20,11 @@
 #include "ui/window/export/export_dialog.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/figures/figure_pages.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
@@ -108,7 +108,8 @@ void Exports::addTo(Commands& commands) {
 /// While a lesson hides the curve, pictures and tables that could have it are not made.
 void Exports::enableCommands(Commands& commands) const {
   const bool hasViews = parts_.figures.isShowingViews();
-  const bool hasFigure = parts_.figures.isShowingFigures() && parts_.figures.gallery().hasFigure();
+  const bool hasFigure =
+      parts_.figures.isShowingFigures() && parts_.figures.figuresPage().hasFigure();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
     action->setEnabled(hasViews || hasFigure);
   const bool isConcealed = parts_.session.friction().isConcealed();
@@ -133,7 +134,7 @@ std::optional<ContactShot> Exports::shot() const {
   return shot;
 }
 
-/// Returns whether there is a contact to draw; otherwise the message bar says why there is none.
+/// Returns whether there is a contact to draw; otherwise the message bar gives the reason.
 bool Exports::hasPicture() const {
   if (parts_.canvas.frame()) return true;
   parts_.messages.showFailure(MessageBar::Failure::Export, [] {
@@ -155,7 +156,7 @@ void Exports::run(std::function<void()> work, std::function<void()> done) {
 }
 
 void Exports::copyPicture() {
-  if (parts_.figures.isShowingFigures()) return parts_.figures.gallery().copyPicture();
+  if (parts_.figures.isShowingFigures()) return parts_.figures.figuresPage().copyPicture();
   if (!hasPicture()) return;
   const auto image = std::make_shared<QImage>();
   run([shot = *shot(), image] { *image = renderContact(shot); },
@@ -167,7 +168,7 @@ void Exports::copyPicture() {
 }
 
 void Exports::askPicture() {
-  if (parts_.figures.isShowingFigures()) return parts_.figures.gallery().askPicture();
+  if (parts_.figures.isShowingFigures()) return parts_.figures.figuresPage().askPicture();
   if (!hasPicture()) return;
   const QString file = askSaveFile(&parts_.window, tr("Save picture"), "contact.png",
                                    tr("Pictures (*.png *.svg *.pdf)"));
@@ -228,7 +229,7 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
                        kind, program_, &parts_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   if (kind == ExportKind::Figure && parts_.figures.isShowingFigures())
-    dialog->form().setContent(fromUtf8(figureEntry(parts_.figures.gallery().chosen()).word));
+    dialog->form().setContent(fromUtf8(figureEntry(parts_.figures.figuresPage().chosen()).word));
   connect(dialog, &ExportDialog::exported, this, &Exports::showSaved);
   dialog->open();
   return *dialog;

@@ -35,7 +35,7 @@
 #include "ui/window/curve/curve_display.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_pages.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/lesson/prediction_point.h"
@@ -406,6 +406,7 @@ void MainWindow::updatePollInterval() {
 
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
+  session_->setPace(timeBar_->requestedPace());
   connect(timeBar_, &TimeBar::seekRequested, session_, &Session::seek);
   connect(timeBar_, &TimeBar::statusMessage, status_, &StatusLine::showMessage);
   connect(canvas_, &ContactCanvas::statusMessage, status_, &StatusLine::showMessage);

@@ -25,9 +25,10 @@ const QString kFolder = QStringLiteral(":/asperity/scenes");
 
 /// Returns the rank of a chapter; unknown ones come last.
 std::size_t chapterRank(const std::string& chapter) {
-  static const std::string_view order[] = {
-      "The basics", "Regions of Eq. (11)", "Roughness",        "Materials and temperature",
-      "Motions",    "Limits and checks",   "Everyday surfaces"};
+  static const std::string_view order[] = {"The basics",       "The four regions of friction",
+                                           "Roughness",        "Materials and temperature",
+                                           "Motions",          "Limits and checks",
+                                           "Everyday surfaces"};
   return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
 }
 

@@ -20,7 +20,7 @@
 #include "core/run/line_diagrams.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/chart_view.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
 #include "ui/window/accuracy/accuracy_panel.h"
@@ -223,9 +223,9 @@ void SceneTabs::setMayScroll(bool mayScroll) {
 
 /// Qt reserves the space of a corner widget even while it is hidden.
 void SceneTabs::showInCorner(QWidget& widget, bool isShown) {
-  QWidget* wanted = isShown ? &widget : nullptr;
-  const bool isOther = cornerWidget() != wanted;
-  if (isOther) setCornerWidget(wanted);
+  QWidget* corner = isShown ? &widget : nullptr;
+  const bool isOther = cornerWidget() != corner;
+  if (isOther) setCornerWidget(corner);
   widget.setVisible(isShown);
   if (isOther) fitTitles();
 }

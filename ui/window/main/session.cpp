@@ -114,7 +114,7 @@ bool Session::isIdle() const {
          activityTime_.isValid() && activityTime_.elapsed() > kIdleDelay;
 }
 
-void Session::setPace(double secondsPerPeriod) {
+void Session::setPace(std::optional<double> secondsPerPeriod) {
   runner_.setPace(secondsPerPeriod);
 }
 

@@ -40,7 +40,7 @@ class Session : public QObject {
   /// period; at least one time step.
   void singleStep(double part = 0);
   /// Sets the seconds on the screen in which the line moves by its period, or a motion takes place.
-  void setPace(double secondsPerPeriod);
+  void setPace(std::optional<double> secondsPerPeriod);
   /// Goes to a moment of a motion, s, and pauses there.
   void seek(double time);
   /// Returns the moment to which the user went, s, until a frame of it is shown or another command

@@ -240,7 +240,7 @@ void StatusLine::showTips() {
 }
 
 /// Sets the tip of the friction, which is always in sight: it has the readings that the window has
-/// no room for, and says that the picture is not there yet.
+/// no room for, and shows that the picture is not there yet.
 void StatusLine::showFrictionTip() {
   QString tip = isSettling_ ? settlingTip() + ' ' : QString();
   tip += tr("Coefficient of friction of this line, of a motion at this moment; then the mean "

@@ -40,11 +40,11 @@ constexpr QMargins kFrame{8, 40, 8, 8};
 const QString kColours = QStringLiteral("window/colours");
 
 /// Reads the word of the choice, or its number, as which it was saved earlier.
-Colours savedColours() {
+ThemeChoice savedTheme() {
   const std::string word = QSettings().value(kColours).toString().toStdString();
-  for (std::size_t i = 0; i < kColourChoices.size(); ++i)
-    if (word == std::to_string(i)) return kColourChoices[i].second;
-  return findChoice(kColourChoices, word).value_or(Colours::System);
+  for (std::size_t i = 0; i < kThemeChoices.size(); ++i)
+    if (word == std::to_string(i)) return kThemeChoices[i].second;
+  return findChoice(kThemeChoices, word).value_or(ThemeChoice::System);
 }
 
 const QList<int>& defaultSplit() {
@@ -67,7 +67,7 @@ WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), p
   connect(&parts_.dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     if (isVisible) endPanelNote();
   });
-  connect(&parts_.appearance, &Appearance::coloursSet, this, &WindowLayout::saveColours);
+  connect(&parts_.appearance, &Appearance::themeChosen, this, &WindowLayout::saveTheme);
 }
 
 WindowLayout::~WindowLayout() {
@@ -215,10 +215,10 @@ void WindowLayout::beginPresentation() {
   setFullScreen(true);
 }
 
-/// Says for a while how the parameters come back, which the presentation has hidden.
+/// Shows for a while how the parameters come back, which the presentation has hidden.
 void WindowLayout::showPanelNote() {
   constexpr int kShown = 8000;              // milliseconds
-  if (!parts_.messages.isHidden()) return;  // an error says more
+  if (!parts_.messages.isHidden()) return;  // an error matters more
   hasPanelNote_ = true;
   parts_.messages.showNote(panelNote);
   QTimer::singleShot(kShown, this, &WindowLayout::endPanelNote);
@@ -290,7 +290,7 @@ void WindowLayout::remember() {
   const PanelView usual = ParameterPanel::defaultView();
   parts_.panel.setView({settings.value("showsAllParameters", usual.showsAll).toBool(),
                         settings.value("foldedSections", usual.folded).toStringList()});
-  parts_.appearance.setColours(savedColours());
+  parts_.appearance.chooseTheme(savedTheme());
   remembers_ = true;
   showScreenMode();
 }
@@ -322,9 +322,9 @@ void WindowLayout::save() {
 
 /// Saves the colours as soon as they are chosen: the program may end in another way than by closing
 /// the window.
-void WindowLayout::saveColours() {
+void WindowLayout::saveTheme() {
   if (!remembers_) return;
-  const std::string_view word = choiceWord(kColourChoices, parts_.appearance.colours());
+  const std::string_view word = choiceWord(kThemeChoices, parts_.appearance.themeChoice());
   QSettings().setValue(kColours, QString::fromUtf8(word.data(), std::ssize(word)));
 }
 

@@ -102,7 +102,7 @@ class WindowLayout : public QObject {
   void showScreenMode();
   void hideDocksForFigures(bool areShown);
   void fitDockToScreen();
-  void saveColours();
+  void saveTheme();
   bool restoreDocks(const QByteArray& state, int version = 0);
 
   LayoutParts parts_;

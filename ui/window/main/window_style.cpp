@@ -4,6 +4,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStyleOption>
+#include <QToolBar>
 #include <QWidget>
 #include <algorithm>
 
@@ -17,6 +18,7 @@ constexpr double kControlCorner = 5;  // radius of controls, pixels
 constexpr double kFrameCorner = 3;    // of text boxes and lists, whose contents have square corners
 constexpr int kBesideButtonText = 12;  // pixels at each side
 constexpr int kBesideEntryText = 4;    // pixels at each side, in addition to those of Fusion
+constexpr int kMenuSign = 18;          // pixels beside the text of a button that opens a menu
 
 /// Draws the border of a control, and fills it.
 void drawBorder(QPainter& painter, const QRect& rect, const QColor& colour, const QBrush& fill,
@@ -110,6 +112,15 @@ bool isInSpinBox(const QWidget* widget) {
   return widget && qobject_cast<const QAbstractSpinBox*>(widget->parentWidget());
 }
 
+/// Returns whether a button outside of a tool bar opens a menu, and shows it by a sign beside its
+/// text.
+bool hasMenuSign(const QStyleOption* option, const QWidget* widget) {
+  const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+  return button && button->features & QStyleOptionToolButton::HasMenu &&
+         !(button->features & QStyleOptionToolButton::MenuButtonPopup) &&
+         !(widget && qobject_cast<const QToolBar*>(widget->parentWidget()));
+}
+
 }  // namespace
 
 WindowStyle::WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -138,15 +149,26 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
       return drawCheck(*painter, *option, false);
     case PE_IndicatorRadioButton:
       return drawCheck(*painter, *option, true);
+    case PE_IndicatorArrowDown:
+      if (!hasMenuSign(option, widget)) break;
+      return drawAngle(*painter,
+                       {widget->width() - kMenuSign - 2, widget->height() / 2 - 6, kMenuSign, 14},
+                       false, option->palette.color(QPalette::ButtonText));
     default:
       break;
   }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
 
-/// Draws the headers of tables flat, with a line to their right and below.
+/// Draws the headers of tables flat, with a line to their right and below, and the text of a button
+/// that opens a menu beside its sign.
 void WindowStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {
+  if (element == CE_ToolButtonLabel && hasMenuSign(option, widget)) {
+    QStyleOptionToolButton label = *static_cast<const QStyleOptionToolButton*>(option);
+    label.rect.adjust(0, 0, -kMenuSign, 0);
+    return QProxyStyle::drawControl(element, &label, painter, widget);
+  }
   if (element != CE_HeaderSection)
     return QProxyStyle::drawControl(element, option, painter, widget);
   const QRect& rect = option->rect;
@@ -255,6 +277,8 @@ QSize WindowStyle::sizeFromContents(ContentsType type, const QStyleOption* optio
   const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
   if (type == CT_PushButton)
     size.setWidth(std::max(size.width(), contents.width() + 2 * kBesideButtonText));
+  else if (type == CT_ToolButton && hasMenuSign(option, widget))
+    size.rwidth() += kMenuSign;
   else if (type == CT_SpinBox)
     size.rwidth() += kBesideEntryText;
   else if (type == CT_LineEdit && frame && frame->lineWidth > 0)

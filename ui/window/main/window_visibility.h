@@ -36,7 +36,7 @@ class WindowVisibility : public QObject, private QAbstractNativeEventFilter {
   QWidget& window_;
   QPointer<QWindow> handle_;
   bool isCovered_ = false;
-  bool isVisible_ = true;  // until an event says otherwise
+  bool isVisible_ = true;  // until an event reports something else
 };
 
 }  // namespace asperity

@@ -233,6 +233,7 @@ bool MapPanel::isWaiting() const {
   return requested_ && !(map_ && map_->isFinal && isCoveredBy(*map_));
 }
 
+/// Shows the present map again where only its cross has moved, or requests another one.
 void MapPanel::compute() {
   if (!hasScene_ || !isVisible()) return;
   fillChoosers();
@@ -264,6 +265,10 @@ void MapPanel::compute() {
     showMessage([error] { return errorWithLabel(error); });
     return;
   }
+  request(x, y);
+}
+
+void MapPanel::request(const MapAxis& x, const MapAxis& y) {
   lines_ = 0;
   percent_ = 0;
   requested_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
@@ -343,7 +348,7 @@ void MapPanel::moveTo(double x, double y) {
   }
 }
 
-/// Says that a map has no target accuracy where its scene has one.
+/// Shows that a map has no target accuracy where its scene has one.
 void MapPanel::showTarget() {
   const bool isLeftOut = target_ > 0 && scene_.accuracy.scheme == Scheme::Cubic;
   if (!isLeftOut) return showMessage({});
@@ -369,7 +374,7 @@ void MapPanel::updateMessage() {
   message_->setVisible(!messageText_.isEmpty());
 }
 
-/// Says of how many lines the shown values are the mean and how much of the map over all lines is
+/// Shows of how many lines the values are the mean and how much of the map over all lines is
 /// computed, in the place of the button that saves the complete map.
 void MapPanel::showProgress() {
   const bool waits = isWaiting();

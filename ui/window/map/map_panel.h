@@ -2,8 +2,8 @@
 // map is computed in the background while the tab is visible, coarse first; a newer request stops
 // the older one. Where only the two parameters change, the map stays and its cross moves. A scene
 // with a target accuracy has a map of its stated number of lines, because all cells have the same
-// lines; the panel says so. GUI thread; owned by its parent. Failure: a line of the panel gives the
-// reason.
+// lines, as a message of the panel states. GUI thread; owned by its parent. Failure: a line of the
+// panel gives the reason.
 #pragma once
 
 #include <QWidget>
@@ -53,6 +53,7 @@ class MapPanel : public QWidget {
   bool isCoveredBy(const ParameterMap& map) const;
   bool isWaiting() const;
   void compute();
+  void request(const MapAxis& x, const MapAxis& y);
   void take(ParameterMap map);
   void showMap();
   void showCross();

@@ -38,7 +38,7 @@ void expectSame(const PassSums& sums, const PassSums& plain, double depth, doubl
   EXPECT_NEAR(sums.dissipation, plain.dissipation, 1e-11 * plain.dissipation);
   EXPECT_NEAR(sums.contactLength, plain.contactLength, 1e-11 * length);
   EXPECT_NEAR(sums.slopeSquared, plain.slopeSquared, 1e-11 * plain.slopeSquared);
-  EXPECT_EQ(sums.freeStretches, plain.freeStretches);
+  EXPECT_EQ(sums.gaps, plain.gaps);
 }
 
 /// One pass from strains that are by a tenth off those of steady sliding: all that both find.

@@ -1,0 +1,164 @@
+#include "ui/window/figures/figure_queue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/scene/provenance.h"
+#include "ui/chart/figure_drawing.h"
+#include "ui/draw/picture_file.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+
+namespace asperity {
+
+std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
+                                                    const FigureMaker& maker, FigureName name,
+                                                    std::int64_t realizations,
+                                                    const std::function<void(double)>& progressed) {
+  FigureOptions options;
+  options.realizations = realizations;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  options.stop = run.stop();
+  options.progress = [&run, progressed, lastStep = -1](double part) mutable {
+    const int step = static_cast<int>(std::clamp(part, 0.0, 1.0) * 1000);
+    if (step == lastStep) return;
+    lastStep = step;
+    run.post([progressed, step] { progressed(step / 1000.0); });
+  };
+  ComputedFigure made{maker(name, options), realizations, nullptr};
+  made.contact = contactFrame(made.figure);
+  return std::make_shared<const ComputedFigure>(std::move(made));
+}
+
+QString figureFile(FigureName name, const QString& extension) {
+  return "figure_" + fromUtf8(figureEntry(name).word) + extension;
+}
+
+void writeFigurePicture(const std::filesystem::path& file, const ComputedFigure& made) {
+  const Figure& figure = made.figure;
+  // With the provenance that `asperity figure` writes the file opens as its scene.
+  writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
+               {translated(figure.sheet.title), pictureOrigin("figure", figure.scene)});
+}
+
+void writeFigureData(const std::filesystem::path& file, const ComputedFigure& made) {
+  const std::string extension = file.extension().string();
+  if (extension == ".csv")
+    writeFileAtomically(file, provenanceComment("figure", made.figure.scene) + made.figure.csv);
+  else if (extension == ".json")
+    writeFileAtomically(file, claimsJson({&made.figure, 1}));
+  else
+    throw unknownExtension(file.string(), extension, {".csv", ".json"});
+}
+
+// ---- Verdicts
+
+QString verdictText(const Claim& claim) {
+  if (claim.holds == Verdict::OnlyForScheme)
+    return QString::fromStdString(
+        filled(Words::tr("only for scheme %1"), {translated(claim.scheme)}));
+  if (claim.holds == Verdict::Undecided) return QString::fromStdString(Words::tr("undecided"));
+  return QString::fromStdString(claim.holds == Verdict::Yes ? Words::tr("yes") : Words::tr("no"));
+}
+
+QString estimateText(const Estimate& estimate) {
+  const double error = estimate.standardError;
+  const double size = std::max(std::abs(estimate.value), error);
+  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0)
+    return readingLabel(estimate.value);
+  if (size >= 1e5 || size < 1e-3) {  // one power of ten for both numbers
+    const int power = static_cast<int>(std::floor(std::log10(size)));
+    const double unit = std::pow(10, power);
+    return '(' + estimateText({estimate.value / unit, error / unit}) + QStringLiteral(")×") +
+           QString::fromStdString(powerOfTen(power));
+  }
+  // An uncertainty that begins with 1 has two digits, any other one has one.
+  const int exponent = static_cast<int>(std::floor(std::log10(error)));
+  const int digits = error / std::pow(10, exponent) < 1.95 ? 1 - exponent : -exponent;
+  const int decimals = std::clamp(digits, 0, 6);
+  return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
+                    QStringLiteral(" ± ") + QString::number(error, 'f', decimals));
+}
+
+// ---- All figures
+
+QString figureLabel(FigureName name) {
+  if (name == FigureName::Master) return FigureQueue::tr("Master curve");
+  if (name == FigureName::Spacing) return FigureQueue::tr("Spacing");
+  return FigureQueue::tr("Figure %1").arg(fromUtf8(figureEntry(name).word));
+}
+
+QString figureTitle(const FigureEntry& entry) {
+  const QString headline = translatedText(entry.headline);
+  return entry.name < FigureName::Master
+             ? QStringLiteral("%1: %2").arg(figureLabel(entry.name), headline)
+             : headline;
+}
+
+FigureQueue::FigureQueue(FigureMaker maker, QObject* parent)
+    : QObject(parent), statuses_(figureEntries().size()), maker_(std::move(maker)) {}
+
+void FigureQueue::compute(FigureName name, std::int64_t realizations) {
+  FigureStatus& status = of(name);
+  if (status.work != FigureStage::None) return;
+  status.work = FigureStage::Waiting;
+  waiting_.push_back({name, realizations});
+  emit changed(name);
+  startNext();
+}
+
+/// Cancels the present computation; its thread ends within one pass over a line.
+void FigureQueue::cancel() {
+  work_.cancel();
+  const std::deque<Job> forgotten = std::exchange(waiting_, {});
+  for (const Job& job : forgotten) {
+    of(job.name).work = FigureStage::None;
+    emit changed(job.name);
+  }
+  if (computing_) end(*computing_);
+}
+
+void FigureQueue::startNext() {
+  if (computing_ || waiting_.empty()) return;
+  const Job job = waiting_.front();
+  waiting_.pop_front();
+  computing_ = job.name;
+  FigureStatus& status = of(job.name);
+  status.work = FigureStage::Computing;
+  status.part = 0;
+  status.error = {};
+  const auto progressed = [this, name = job.name](double part) {
+    of(name).part = part;
+    emit changed(name);
+  };
+  work_.request(
+      [maker = maker_, job, progressed](const BackgroundWork::Run& run) {
+        return computeFigure(run, maker, job.name, job.realizations, progressed);
+      },
+      [this, name = job.name](std::shared_ptr<const ComputedFigure> made) {
+        of(name).made = std::move(made);
+        end(name);
+      },
+      [this, name = job.name](const LiveText& reason) {
+        of(name).error = reason;
+        end(name);
+      });
+  emit changed(job.name);
+}
+
+void FigureQueue::end(FigureName name) {
+  of(name).work = FigureStage::None;
+  computing_.reset();
+  emit changed(name);
+  startNext();
+}
+
+}  // namespace asperity

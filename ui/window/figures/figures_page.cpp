@@ -1,0 +1,385 @@
+#include "ui/window/figures/figures_page.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPalette>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSpinBox>
+#include <QSplitter>
+#include <QToolButton>
+
+#include "ui/language/language.h"
+#include "ui/panels/controls.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/figures/claims_table.h"
+#include "ui/window/figures/figure_list.h"
+#include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/figure_queue.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/file_dialogs.h"
+#include "ui/window/main/message_bar.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMaxRealizations = 10000;
+constexpr int kSteps = 1000;  // steps of the progress bar
+
+/// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
+/// bars.
+QString figuresStyleSheet(const QPalette& palette) {
+  const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
+  const auto tint = [&](int percent) {
+    const QColor accent = palette.color(QPalette::Highlight);
+    return QStringLiteral("rgba(%1, %2, %3, %4%)")
+        .arg(accent.red())
+        .arg(accent.green())
+        .arg(accent.blue())
+        .arg(percent);
+  };
+  return QStringLiteral(R"(
+    #figuresBar { background: %1; border-top: 1px solid %3; }
+    #figuresNote { color: %6; }
+    QPushButton { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
+                  padding: 5px 12px; }
+    QPushButton:hover, QPushButton:focus { border-color: %4; }
+    QPushButton:pressed { background: %3; }
+    QPushButton:disabled { background: transparent; color: %6; }
+    QProgressBar { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
+                   text-align: center; min-height: 26px; }
+    QProgressBar::chunk { background: %7; border-radius: 5px; }
+    QTableWidget { selection-background-color: %8; }
+    QHeaderView { background: %1; border: none; }
+    QHeaderView::section { background: %1; color: %6; border: none;
+                           border-bottom: 1px solid %3; padding: 5px 8px; }
+  )")
+      .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::Mid),
+           name(QPalette::Highlight), name(QPalette::Base), name(QPalette::PlaceholderText),
+           tint(35), tint(18));
+}
+
+}  // namespace
+
+FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
+    : QWidget(parent), queue_(new FigureQueue(std::move(maker), this)) {
+  setObjectName("figuresPage");
+  messages_ = new MessageBar;
+  auto* splitter = new QSplitter(Qt::Horizontal);
+  splitter->setHandleWidth(1);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(makeLeft());
+  splitter->addWidget(makeRight());
+  splitter->setStretchFactor(0, 0);
+  splitter->setStretchFactor(1, 1);
+  splitter->setSizes({270, 1000});
+
+  auto* column = marginless<QVBoxLayout>(this, 0);
+  column->addWidget(makeHeading());
+  column->addWidget(messages_);
+  column->addWidget(splitter, 1);
+
+  connect(list_, &FigureList::chosenChanged, this, &FiguresPage::showChosen);
+  connect(list_, &FigureList::computeRequested, this, &FiguresPage::compute);
+  connect(queue_, &FigureQueue::changed, this, &FiguresPage::take);
+  connect(picture_, &FigurePicture::failed, this, [this](const LiveText& reason) {
+    messages_->showFailure(MessageBar::Failure::Scene, reason);
+  });
+  auto* escape =
+      new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+  connect(escape, &QShortcut::activated, this, &FiguresPage::closed);
+  for (const FigureEntry& entry : figureEntries())
+    list_->showStatus(entry.name, queue_->status(entry.name));
+  showChosen();
+}
+
+/// Sets the texts that depend on what is computed and shown.
+void FiguresPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  showNote({});
+  showPlaceholder();
+  // This runs later, because the buttons get the event after this page and first set their usual
+  // texts.
+  QMetaObject::invokeMethod(this, &FiguresPage::showWork, Qt::QueuedConnection);
+}
+
+FiguresPage::~FiguresPage() = default;
+
+QWidget* FiguresPage::makeHeading() {
+  auto* heading = new TitleBar("closeFigures");
+  QToolButton& close = heading->closeButton();
+  connect(&close, &QToolButton::clicked, this, &FiguresPage::closed);
+  keepTranslated(*heading, [heading, &close] {
+    heading->title().setText(tr("Figures of Li et al. (2013), computed here and now"));
+    close.setToolTip(tr("Back to the contact (Esc)"));
+    close.setAccessibleName(tr("back to the contact"));
+  });
+  return heading;
+}
+
+QWidget* FiguresPage::makeLeft() {
+  auto* left = new QWidget;
+  auto* column = marginless<QVBoxLayout>(left, 0);
+  list_ = new FigureList;
+  column->addWidget(list_, 1);
+  column->addWidget(makeChoices());
+  return left;
+}
+
+/// Makes the choice of the number of lines, and the button that computes all figures.
+QWidget* FiguresPage::makeChoices() {
+  auto* choices = named<QWidget>("figuresBar");
+  choices->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(choices);
+  column->setContentsMargins(12, 10, 12, 10);
+  auto* row = new QHBoxLayout;
+  auto* label = new QLabel;
+  realizations_ = named<QSpinBox>("realizations");
+  realizations_->setRange(1, kMaxRealizations);
+  realizations_->setValue(kQuick);
+  label->setBuddy(realizations_);
+  keepTranslated(*choices, [this, label] {
+    label->setText(tr("&Realizations"));
+    realizations_->setAccessibleName(tr("realizations to average over"));
+  });
+  row->addWidget(label);
+  row->addWidget(realizations_, 1);
+  column->addLayout(row);
+  auto* presets = new QHBoxLayout;
+  presets->setSpacing(6);
+  addButton(
+      *presets, "quick", [] { return tr("&Quick"); },
+      [] { return tr("%1 realizations").arg(kQuick); }, &FiguresPage::chooseQuick);
+  addButton(
+      *presets, "paper", [] { return tr("Pap&er"); },
+      [] { return tr("%1 realizations, as in the paper").arg(kPaper); }, &FiguresPage::choosePaper);
+  presets->addStretch(1);
+  addButton(
+      *presets, "computeAll", [] { return tr("Compute &all"); },
+      [] { return tr("All figures, one after another"); }, &FiguresPage::computeAll);
+  column->addLayout(presets);
+  return choices;
+}
+
+QWidget* FiguresPage::makeRight() {
+  picture_ = new FigurePicture;
+  claims_ = new ClaimsTable;
+  auto* splitter = new QSplitter(Qt::Vertical);
+  splitter->setHandleWidth(1);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(picture_);
+  splitter->addWidget(claims_);
+  splitter->setStretchFactor(0, 7);
+  splitter->setStretchFactor(1, 3);
+  splitter->setSizes({700, 300});
+
+  auto* right = new QWidget;
+  auto* column = marginless<QVBoxLayout>(right, 0);
+  column->addWidget(splitter, 1);
+  column->addWidget(makeCommands());
+  return right;
+}
+
+QWidget* FiguresPage::makeCommands() {
+  auto* commands = named<QWidget>("figuresBar");
+  commands->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(commands);
+  row->setContentsMargins(12, 10, 12, 10);
+  compute_ = addButton(
+      *row, "compute", [] { return tr("&Compute"); },
+      [] { return tr("Computes this figure from new lines (Enter in the list)"); },
+      &FiguresPage::compute);
+  cancel_ = addButton(
+      *row, "cancel", [] { return tr("Ca&ncel"); },
+      [] { return tr("Stops this computation and all that wait"); }, &FiguresPage::cancel);
+  progress_ = named<QProgressBar>("figureProgress");
+  progress_->setRange(0, kSteps);
+  progress_->setFormat(QStringLiteral("%p %"));
+  progress_->setMinimumWidth(60);
+  row->addWidget(progress_, 1);
+  note_ = named<QLabel>("figuresNote");
+  note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(note_, 1);
+  openScene_ = addButton(
+      *row, "openAsScene", [] { return tr("&Open as scene"); },
+      [] { return tr("This figure's parameters in the window, to play with"); },
+      &FiguresPage::openScene);
+  savePicture_ = addButton(
+      *row, "savePicture", [] { return tr("Save &picture…"); },
+      [] { return tr("PNG, SVG or PDF"); }, &FiguresPage::askPicture);
+  saveData_ = addButton(
+      *row, "saveData", [] { return tr("Save &data…"); },
+      [] { return tr("The table as CSV, or the claims as JSON"); }, &FiguresPage::askData);
+  keepTranslated(*progress_,
+                 [this] { progress_->setAccessibleName(tr("progress of the computation")); });
+  return commands;
+}
+
+QPushButton* FiguresPage::addButton(QLayout& row, const char* name, QString (*text)(),
+                                    QString (*tip)(), void (FiguresPage::*run)()) {
+  auto* button = named<QPushButton>(name);
+  keepTranslated(*button, [button, text, tip] {
+    button->setText(text());
+    button->setToolTip(tip());
+  });
+  connect(button, &QPushButton::clicked, this, run);
+  row.addWidget(button);
+  return button;
+}
+
+void FiguresPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  list_->setFocus();
+}
+
+void FiguresPage::setTheme(const Theme& theme) {
+  setStyleSheet(figuresStyleSheet(themePalette(theme)));
+  picture_->setTheme(theme);
+  claims_->setDark(isDark(theme));
+}
+
+FigureName FiguresPage::chosen() const {
+  return list_->chosen();
+}
+
+void FiguresPage::take(FigureName name) {
+  list_->showStatus(name, queue_->status(name));
+  if (name == chosen()) showChosen();
+  showWork();
+}
+
+/// Shows a text until the picture is ready.
+void FiguresPage::showPlaceholder() {
+  const FigureStatus& status = queue_->status(chosen());
+  if (status.made) return;
+  picture_->showText(status.work == FigureStage::None
+                         ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
+                         : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
+}
+
+void FiguresPage::showChosen() {
+  const FigureStatus& status = queue_->status(chosen());
+  showPlaceholder();
+  if (status.made != shown_) showComputed(status.made);
+  // Why a file could not be written stays while the figure is computed again.
+  if (status.error.isEmpty())
+    messages_->end(MessageBar::Failure::Scene);
+  else
+    messages_->showFailure(MessageBar::Failure::Scene, status.error);
+  showWork();
+}
+
+void FiguresPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
+  shown_ = std::move(made);
+  claims_->setClaims(shown_ ? shown_->figure.claims : std::vector<Claim>());
+  if (shown_) picture_->showFigure(shown_);
+  emit figureShown();
+}
+
+/// Enables the commands that make sense now.
+void FiguresPage::showWork() {
+  const FigureStatus& status = queue_->status(chosen());
+  compute_->setText(status.made ? tr("&Compute again") : tr("&Compute"));
+  compute_->setEnabled(status.work == FigureStage::None);
+  for (QPushButton* button : {openScene_, savePicture_, saveData_})
+    button->setEnabled(status.made != nullptr);
+  const std::optional<FigureName> computing = queue_->computing();
+  cancel_->setVisible(computing.has_value());
+  progress_->setVisible(computing.has_value());
+  note_->setVisible(!computing);
+  if (!computing) return;
+  progress_->setValue(static_cast<int>(kSteps * queue_->status(*computing).part));
+  progress_->setToolTip(figureLabel(*computing));
+}
+
+void FiguresPage::choose(FigureName name, bool compute) {
+  list_->choose(name);
+  if (compute && !queue_->status(name).made) this->compute();
+}
+
+void FiguresPage::chooseQuick() {
+  realizations_->setValue(kQuick);
+}
+
+void FiguresPage::choosePaper() {
+  realizations_->setValue(kPaper);
+}
+
+void FiguresPage::compute() {
+  showNote({});
+  queue_->compute(chosen(), realizations_->value());
+}
+
+/// Computes the figures that are missing for this number of lines.
+void FiguresPage::computeAll() {
+  showNote({});
+  for (const FigureEntry& entry : figureEntries()) {
+    const std::shared_ptr<const ComputedFigure> made = queue_->status(entry.name).made;
+    if (!made || made->realizations != realizations_->value())
+      queue_->compute(entry.name, realizations_->value());
+  }
+}
+
+/// The tooltip has the complete text where the label is elided.
+void FiguresPage::showNote(const QString& text) {
+  note_->setText(text);
+  note_->setToolTip(text);
+}
+
+void FiguresPage::openScene() {
+  emit sceneRequested(queue_->status(chosen()).made->figure.scene);
+}
+
+void FiguresPage::askPicture() {
+  const QString file = askSaveFile(this, tr("Save picture"), figureFile(chosen(), ".png"),
+                                   tr("Pictures (*.png *.svg *.pdf)"));
+  if (!file.isEmpty()) savePicture(file);
+}
+
+void FiguresPage::askData() {
+  const QString file = askSaveFile(this, tr("Save data"), figureFile(chosen(), ".csv"),
+                                   tr("Table (*.csv);;Claims (*.json)"));
+  if (!file.isEmpty()) saveData(file);
+}
+
+void FiguresPage::copyPicture() {
+  if (!picture_->isPainted()) return;
+  QGuiApplication::clipboard()->setImage(picture_->image());
+  showNote(tr("The picture is on the clipboard"));
+}
+
+void FiguresPage::savePicture(const QString& file) {
+  save(file, writeFigurePicture);
+}
+
+void FiguresPage::saveData(const QString& file) {
+  save(file, writeFigureData);
+}
+
+void FiguresPage::save(const QString& file,
+                       void (*write)(const std::filesystem::path&, const ComputedFigure&)) {
+  const std::shared_ptr<const ComputedFigure> made = queue_->status(chosen()).made;
+  if (!made) return;
+  showNote(tr("Saving %1…").arg(QFileInfo(file).fileName()));
+  saving_.request(
+      [file, made, write](const BackgroundWork::Run&) { write(file.toStdString(), *made); },
+      [this, file] {
+        showNote(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+        if (messages_->end(MessageBar::Failure::Export)) showChosen();
+        emit saved(file);
+      },
+      [this](const LiveText& reason) {
+        showNote({});
+        messages_->showFailure(MessageBar::Failure::Export, reason);
+      });
+}
+
+}  // namespace asperity
