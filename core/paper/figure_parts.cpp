@@ -90,6 +90,21 @@ FullContact compareFullContact(const GroupedMeans& means) {
   return found;
 }
 
+double slopeExponent(std::span<const GroupedMeans> allMeans,
+                     const std::function<double(const GroupedMeans&)>& read) {
+  std::vector<double> slopes, values;
+  for (const GroupedMeans& means : allMeans) {
+    slopes.push_back(means.line().rmsSlope);
+    values.push_back(read(means));
+  }
+  return fitPower(slopes, values).slope;
+}
+
+std::int64_t scaledElements(const Scene& scene, double factor) {
+  return std::max<std::int64_t>(3,
+                                std::llround(factor * static_cast<double>(scene.surface.elements)));
+}
+
 double forceAt(const Scene& scene, double dimensionlessForce) {
   return dimensionlessForce * scene.elastomer.shearModulus * scene.surface.rmsHeight *
          scene.surface.length;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -48,6 +49,13 @@ struct FullContact {
   double toSpectral = 0;  // the same with the slope of the spectrum: the resolution of the line
 };
 FullContact compareFullContact(const GroupedMeans& means);
+
+/// Returns the exponent n of what `read` returns for lines of different rms slopes, ~ slope^n.
+double slopeExponent(std::span<const GroupedMeans> allMeans,
+                     const std::function<double(const GroupedMeans&)>& read);
+
+/// Returns the number of elements times a factor, at least 3.
+std::int64_t scaledElements(const Scene& scene, double factor);
 
 /// Returns F_N (N) for a dimensionless force: Fbar G h L, Eq. (14).
 double forceAt(const Scene& scene, double dimensionlessForce);

@@ -43,8 +43,7 @@ std::vector<Variant> makeVariants(const Scene& base) {
         [&](Scene& scene) {
           // The spacing does not change: the elastomer is only longer.
           scene.surface.length *= factor;
-          scene.surface.elements =
-              std::llround(factor * static_cast<double>(scene.surface.elements));
+          scene.surface.elements = scaledElements(scene, factor);
         });
   for (const double factor : {0.1, 10.0})
     add(message("\u03C4 = {}",

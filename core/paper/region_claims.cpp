@@ -120,8 +120,7 @@ std::vector<GroupedMeans> meansAtLengths(const GroupedMeans& means, FigureWork& 
   for (const double factor : {0.25, 1.0, 4.0}) {
     Scene scene = means.scene();
     scene.surface.length *= factor;
-    scene.surface.elements = std::max<std::int64_t>(
-        3, std::llround(factor * static_cast<double>(scene.surface.elements)));
+    scene.surface.elements = scaledElements(scene, factor);
     scene.surface.rollOffWavelength = rollOff;
     scene.load.normalForce *= factor;
     allMeans.push_back(meansAtBorder(scene, work, 2 * factor / 5.25));

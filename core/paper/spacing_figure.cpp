@@ -13,17 +13,6 @@
 namespace asperity {
 namespace {
 
-/// Returns the exponent of what `read` returns for each spacing over the rms slope.
-template <class Read>
-double slopeExponent(const std::vector<GroupedMeans>& allMeans, const Read& read) {
-  std::vector<double> slopes, values;
-  for (const GroupedMeans& means : allMeans) {
-    slopes.push_back(means.line().rmsSlope);
-    values.push_back(read(means));
-  }
-  return fitPower(slopes, values).slope;
-}
-
 Claim lowVelocityClaim(const std::vector<GroupedMeans>& allMeans) {
   Claim claim{"region_1_slope_squared", "p. 2, before Eq. (5)",
               "Simulations with different rms gradients, varied by the spacing, show \u03BC very "

@@ -280,8 +280,7 @@ Claim slopeSquaredClaim(const GroupedMeans& means, FigureWork& work) {
   std::vector<GroupedMeans> allMeans;
   for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
     Scene scene = means.scene();
-    scene.surface.elements = std::max<std::int64_t>(
-        3, std::llround(factor * static_cast<double>(scene.surface.elements)));
+    scene.surface.elements = scaledElements(scene, factor);
     allMeans.push_back(work.computeMeans(scene, {forceAt(scene, 0.1)}, {means.velocities()[0]}, 2));
   }
   Claim claim{
@@ -292,12 +291,7 @@ Claim slopeSquaredClaim(const GroupedMeans& means, FigureWork& work) {
   claim.expected = 2;
   claim.criterion = "within 0.1 of 2";
   const auto exponent = [&](int out) {
-    std::vector<double> slopes, mu;
-    for (const GroupedMeans& one : allMeans) {
-      slopes.push_back(one.line().rmsSlope);
-      mu.push_back(one.mu(0, 0, out));
-    }
-    return fitPower(slopes, mu).slope;
+    return slopeExponent(allMeans, [&](const GroupedMeans& one) { return one.mu(0, 0, out); });
   };
   decide(claim, jackknife(means.groups(), exponent), within(2, 0.1));
   return claim;

@@ -14,8 +14,8 @@
 
 #include "core/accuracy/prediction.h"
 #include "core/accuracy/target_curve.h"
-#include "core/contact/steady_sweep.h"
 #include "core/contact/steady_solver.h"
+#include "core/contact/steady_sweep.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"

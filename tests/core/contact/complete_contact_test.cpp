@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/contact/kernels/resolved_pass.h"
-#include "core/contact/steady_sweep.h"
 #include "core/contact/steady_solver.h"
+#include "core/contact/steady_sweep.h"
 #include "core/scene/plan.h"
 #include "core/surface/line.h"
 #include "tests/core/contact/lines.h"
