@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "core/chart/curve_diagram.h"
-#include "qt_application.h"
 #include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/main/session.h"
 

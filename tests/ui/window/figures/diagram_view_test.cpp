@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "core/run/line_diagrams.h"
-#include "qt_application.h"
+#include "tests/ui/window/qt_application.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/session.h"
 #include "ui/window/map/map_view.h"

@@ -17,8 +17,8 @@
 #include <QToolButton>
 
 #include "core/scene/scene_file.h"
-#include "qt_application.h"
 #include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/import/surface_import.h"
