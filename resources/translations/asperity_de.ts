@@ -492,10 +492,6 @@
         <translation>andere Prozesse arbeiten am Rest</translation>
     </message>
     <message>
-        <source>some simulations failed: &apos;asperity study show&apos; says why</source>
-        <translation>einige Simulationen sind gescheitert: &apos;asperity study show&apos; sagt, warum</translation>
-    </message>
-    <message>
         <source>%1 minutes, %2 steps, %3 predictions</source>
         <translation>%1 Minuten, %2 Schritte, %3 Vorhersagen</translation>
     </message>
@@ -5146,6 +5142,10 @@
 </context>
 <context>
     <name>asperity::Words</name>
+    <message>
+        <source>some simulations failed: &apos;asperity study show&apos; says why</source>
+        <translation>einige Simulationen sind gescheitert: &apos;asperity study show&apos; sagt, warum</translation>
+    </message>
     <message>
         <source>The force that sliding takes. It is a result and cannot be dragged.</source>
         <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
