@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -15,16 +14,14 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 #include "ui/draw/tiff_file.h"
 #include "ui/language/language.h"
 
 namespace asperity {
 
 std::string fileExtension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
+  return lowerCase(std::filesystem::path(file).extension().string());
 }
 
 bool isPictureFile(const std::string& file) {
