@@ -96,9 +96,7 @@ void checkFolder(const std::string& folder) {
   namespace fs = std::filesystem;
   checkFolderName(folder);
   std::error_code ignored;
-  const bool hasFileName =
-      std::ranges::find(kOutputExtensions, fileExtension(folder)) != kOutputExtensions.end();
-  if (hasFileName && !fs::exists(folder, ignored))
+  if ((isPictureFile(folder) || isTableFile(folder)) && !fs::exists(folder, ignored))
     throw InputError(folder, "",
                      message("has the name of a {} file, but the command writes several files into "
                              "a folder; name a folder, such as {}",

@@ -13,7 +13,7 @@ namespace {
 template <class Function>
 double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
                 const Function& function) {
-  // At the beginning of a stretch the function is 0 to rounding.
+  // At the beginning of a contact the function is 0 to rounding.
   first.value = std::max(first.value, 0.0);
   const auto value = [&function](double t, double& slope) {
     const ValueAndSlope at = function(t);

@@ -157,9 +157,9 @@ class NodalKernel {
       threshold = hn::Max(threshold, reached);
     }
     threshold_ = hn::IfThenElse(loaded, hn::Max(threshold_, threshold), threshold_);
-    // A stretch in contact begins at a loaded element after one that is not.
+    // A contact spot begins at a loaded element after one that is not.
     const V isLoaded = hn::IfThenElseZero(loaded, set(1));
-    stretches_ = hn::Add(stretches_, hn::Sub(isLoaded, hn::Mul(isLoaded, wasLoaded_)));
+    spots_ = hn::Add(spots_, hn::Sub(isLoaded, hn::Mul(isLoaded, wasLoaded_)));
     if (i == 0) firstLoaded_ = isLoaded;
     wasLoaded_ = isLoaded;
     // A new arc begins where the line touches.
@@ -202,8 +202,8 @@ class NodalKernel {
     give(loss, states, [](NodalState& s) -> double& { return s.sums.dissipation; });
     give(hn::Mul(slopeSquared_, dx), states,
          [](NodalState& s) -> double& { return s.sums.slopeSquared; });
-    // The first stretch goes on from the last one where both meet at the lowest node.
-    give(hn::Sub(stretches_, hn::Mul(firstLoaded_, wasLoaded_)), states,
+    // The first spot goes on from the last one where both meet at the lowest node.
+    give(hn::Sub(spots_, hn::Mul(firstLoaded_, wasLoaded_)), states,
          [](NodalState& s) -> double& { return s.sums.gaps; });
   }
 
@@ -217,7 +217,7 @@ class NodalKernel {
   V pressure_ = hn::Zero(d_), loaded_ = hn::Zero(d_), depthSum_ = hn::Zero(d_);
   V work_ = hn::Zero(d_), slopeSquared_ = hn::Zero(d_), freeLoss_ = hn::Zero(d_);
   V threshold_ = hn::Set(d_, -1);
-  V stretches_ = hn::Zero(d_), firstLoaded_ = hn::Zero(d_), wasLoaded_ = hn::Zero(d_);
+  V spots_ = hn::Zero(d_), firstLoaded_ = hn::Zero(d_), wasLoaded_ = hn::Zero(d_);
 };
 
 }  // namespace HWY_NAMESPACE

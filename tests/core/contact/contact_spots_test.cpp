@@ -1,4 +1,4 @@
-// The number of separate stretches in contact: of shapes whose number is known, by every way to a
+// The number of separate contact spots: of shapes whose number is known, by every way to a
 // steady state, and on rough lines against the nodes that carry load.
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ std::vector<Scheme> schemesFor(const Elastomer& elastomer) {
   return {Scheme::Linear, Scheme::Cubic};
 }
 
-/// Every wave of a sine has its own contact until all have grown together, which is one stretch.
+/// Every wave of a sine has its own contact until all have grown together, which is one spot.
 TEST_P(ContactSpots, EveryWaveOfASineIsOne) {
   for (const auto& [name, elastomer] : allElastomers())
     for (const Scheme scheme : schemesFor(elastomer)) {

@@ -16,8 +16,7 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace = true);
 
 /// These functions ask the user for a file to read, or for several, and return nothing where none
-/// was chosen. The
-/// dialog begins in the folder `place`, or with that file selected.
+/// was chosen. The dialog begins in the folder `place`, or with that file selected.
 QString askOpenFile(QWidget* parent, const QString& title, const QString& place,
                     const QString& filters, QFileDialog::Options options = {});
 QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& place,

@@ -328,8 +328,8 @@ TEST(TimeMarch, ALineMovedByAPeriodIsTheSameLine) {
     EXPECT_NEAR(march.heightAboveMinimum()[i], fine.height[(2 * i + 5) % fine.nodes()], 2e-9);
 }
 
-/// The stretches in contact, counted anew once around the period.
-std::size_t stretchesAround(const std::vector<double>& pressure) {
+/// The contact spots, counted anew once around the period.
+std::size_t contactSpotsAround(const std::vector<double>& pressure) {
   const std::size_t n = pressure.size();
   std::size_t ends = 0;
   for (std::size_t i = 0; i < n; ++i)
@@ -362,7 +362,7 @@ TEST(TimeMarch, ContactsAreCountedOnceAroundThePeriod) {
     std::size_t most = 0;
     for (int i = 0; i < 300; ++i) {
       const MarchStep step = march.step(underForce(force), line.spacing, line.spacing);
-      ASSERT_EQ(step.contacts, stretchesAround(march.pressure())) << force << " N, step " << i;
+      ASSERT_EQ(step.contacts, contactSpotsAround(march.pressure())) << force << " N, step " << i;
       most = std::max(most, step.contacts);
     }
     EXPECT_EQ(most > 1, force == 0.3) << force << " N";
