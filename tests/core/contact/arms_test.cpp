@@ -18,10 +18,6 @@ namespace {
 
 class Arms : public EachInstructionSet {};
 
-double relative(double value, double exact) {
-  return std::abs(value / exact - 1);
-}
-
 SteadyState slide(const Elastomer& elastomer, const PreparedProfile& line, double velocity,
                   const Load& load) {
   Scene scene;
@@ -57,9 +53,9 @@ TEST_P(Arms, ZenerWedgeIsExactWhateverTheGrid) {
           prepareProfile(wedgeLine(3 * a + 300 * c, nodes, t), Scheme::Linear);
       const SteadyResult result =
           slide(standardSolid(g, {g1, tau}), line, c / tau, indentation(d)).result;
-      EXPECT_LT(relative(result.normalForce, 4 * t * (lead + trail)), 1e-10) << ratio;
-      EXPECT_LT(relative(result.tangentialForce, 4 * t * t * (lead - trail)), 1e-9) << ratio;
-      EXPECT_LT(relative(result.forceFromPressure, result.normalForce), 1e-10);
+      EXPECT_LT(relativeError(result.normalForce, 4 * t * (lead + trail)), 1e-10) << ratio;
+      EXPECT_LT(relativeError(result.tangentialForce, 4 * t * t * (lead - trail)), 1e-9) << ratio;
+      EXPECT_LT(relativeError(result.forceFromPressure, result.normalForce), 1e-10);
     }
 }
 
@@ -75,7 +71,7 @@ TEST_P(Arms, BalancesAtVanishingLoads) {
       for (const double newton : {1e-6, 1e-8, 1e-9, 1e-10}) {
         const SteadyResult result = slide(elastomer, line, velocity, force(newton)).result;
         EXPECT_LT(result.residual, 1e-9) << name << " " << velocity << " " << newton;
-        EXPECT_LT(relative(result.normalForce, newton), 1e-9) << name << " " << velocity;
+        EXPECT_LT(relativeError(result.normalForce, newton), 1e-9) << name << " " << velocity;
         EXPECT_GT(result.contactFraction, 0) << name << " " << velocity << " " << newton;
       }
   }
@@ -102,11 +98,11 @@ TEST_P(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
       EXPECT_EQ(result.status, SteadyStatus::Balanced) << name;
       EXPECT_NEAR(result.contactFraction, 1, 1e-12);
       if (exact > 0) {
-        EXPECT_LT(relative(result.tangentialForce, exact), 1e-3) << name << " " << velocity;
+        EXPECT_LT(relativeError(result.tangentialForce, exact), 1e-3) << name << " " << velocity;
       } else {
         EXPECT_LT(result.mu, 1e-14) << name;
       }
-      EXPECT_LT(relative(result.indentation - line.meanHeight, 1e-3), 1e-9) << name;
+      EXPECT_LT(relativeError(result.indentation - line.meanHeight, 1e-3), 1e-9) << name;
     }
 }
 
@@ -118,7 +114,7 @@ TEST_P(Arms, ZenerSinePeaksWhereOneRadianTakesTheRelaxationTime) {
   const auto friction = [&](double turn) {
     return slide(solid, line, turn / (q * tau), indentation(1e-5)).result.tangentialForce / length;
   };
-  EXPECT_LT(relative(friction(1), amplitude * amplitude * q * 3e6), 1e-6);
+  EXPECT_LT(relativeError(friction(1), amplitude * amplitude * q * 3e6), 1e-6);
   EXPECT_GT(friction(1), friction(0.99));
   EXPECT_GT(friction(1), friction(1.01));
 }
@@ -130,11 +126,11 @@ TEST_P(Arms, TendToKelvinAndToElastic) {
   const SteadyResult kelvin = slideAtForce(line, {1e7, 1e-3, v}, 0.02);
   const SteadyResult fast =
       slide(prony(1e7, {{1e7 * 1e-3 / 1e-9, 1e-9}}), line, v, force(0.02)).result;
-  EXPECT_LT(relative(fast.mu, kelvin.mu), 1e-3);
-  EXPECT_LT(relative(fast.indentation, kelvin.indentation), 1e-3);
+  EXPECT_LT(relativeError(fast.mu, kelvin.mu), 1e-3);
+  EXPECT_LT(relativeError(fast.indentation, kelvin.indentation), 1e-3);
   const SteadyResult soft = slide(prony(1e7, {{1e-3, 1}}), line, v, force(0.02)).result;
   const SteadyResult elastic = slideAtForce(line, {1e7, 0, v}, 0.02);
-  EXPECT_LT(relative(soft.indentation, elastic.indentation), 1e-9);
+  EXPECT_LT(relativeError(soft.indentation, elastic.indentation), 1e-9);
 }
 
 /// Arms a million times stiffer than the equilibrium, loads from light to heavy: strains far below
@@ -148,8 +144,8 @@ TEST_P(Arms, AMillionTimesStifferThanTheEquilibriumStillBalance) {
         SCOPED_TRACE(testing::Message() << normal << " N, " << velocity << " m/s");
         const SteadyResult result = slide(elastomer, line, velocity, force(normal)).result;
         EXPECT_EQ(result.status, SteadyStatus::Balanced) << result.residual;
-        EXPECT_LT(relative(result.forceFromPressure, result.forceFromDepth), 2e-7);
-        EXPECT_LT(relative(result.powerIn, result.powerDissipated), 2e-7);
+        EXPECT_LT(relativeError(result.forceFromPressure, result.forceFromDepth), 2e-7);
+        EXPECT_LT(relativeError(result.powerIn, result.powerDissipated), 2e-7);
         EXPECT_GT(result.mu, 0);
       }
 }
@@ -161,9 +157,9 @@ TEST_P(Arms, SlowAndFastArmsKeepTheirDigits) {
   const auto friction = [&](double tau) {
     return slide(standardSolid(1e7, {1e7, tau}), line, 1, force(1e4)).result.tangentialForce;
   };
-  EXPECT_LT(relative(friction(1e6) * 1e6, friction(1e3) * 1e3), 1e-6);
-  EXPECT_LT(relative(friction(1e9) * 1e9, friction(1e6) * 1e6), 1e-9);
-  EXPECT_LT(relative(friction(1e-9) / 1e-9, friction(1e-12) / 1e-12), 1e-6);
+  EXPECT_LT(relativeError(friction(1e6) * 1e6, friction(1e3) * 1e3), 1e-6);
+  EXPECT_LT(relativeError(friction(1e9) * 1e9, friction(1e6) * 1e6), 1e-9);
+  EXPECT_LT(relativeError(friction(1e-9) / 1e-9, friction(1e-12) / 1e-12), 1e-6);
 }
 
 /// Why steady sliding needs an equilibrium: F_N = 4G integral of y, whatever arms and dashpot are.
@@ -198,7 +194,7 @@ TEST_P(Arms, OfNoStrengthChangeNothing) {
   EXPECT_EQ(none.indentation, slideAtForce(line, {1e7, 0, 0.3}, 0.02).indentation);
   const SteadyResult dashpot =
       slide(prony(1e7, {{0, 1e-3}}, 1e7 * 1e-3), line, 0.3, force(0.02)).result;
-  EXPECT_LT(relative(dashpot.mu, slideAtForce(line, {1e7, 1e-3, 0.3}, 0.02).mu), 1e-12);
+  EXPECT_LT(relativeError(dashpot.mu, slideAtForce(line, {1e7, 1e-3, 0.3}, 0.02).mu), 1e-12);
 }
 
 /// mu(v, T) = mu(v a_T, T_r).
@@ -211,7 +207,7 @@ TEST_P(Arms, TemperatureIsVelocity) {
     const double a = shiftFactor(shifted.shift, 310), v = 0.2;
     const SteadyResult one = slide(shifted, line, v, force(0.02)).result;
     const SteadyResult other = slide(reference, line, v * a, force(0.02)).result;
-    EXPECT_LT(relative(one.mu, other.mu), 1e-12) << name;
+    EXPECT_LT(relativeError(one.mu, other.mu), 1e-12) << name;
   }
 }
 
@@ -223,8 +219,8 @@ TEST_P(Arms, AnArmOfAHundredSecondsTakesAFewPasses) {
     EXPECT_EQ(state.result.status, SteadyStatus::Balanced);
     EXPECT_LE(state.result.passes, 16) << newton;
     EXPECT_LT(state.result.periodicityError, 1e-10);
-    EXPECT_LT(relative(state.result.forceFromPressure, state.result.normalForce), 1e-9);
-    EXPECT_LT(relative(state.result.powerIn, state.result.powerDissipated), 1e-9);
+    EXPECT_LT(relativeError(state.result.forceFromPressure, state.result.normalForce), 1e-9);
+    EXPECT_LT(relativeError(state.result.powerIn, state.result.powerDissipated), 1e-9);
   }
 }
 
@@ -332,7 +328,8 @@ TEST_P(Arms, ConvergeAtTheOrderOfTheScheme) {
   };
   const double exact = friction(64, Scheme::Cubic);
   const auto order = [&](Scheme scheme) {
-    return std::log2(relative(friction(2, scheme), exact) / relative(friction(16, scheme), exact)) /
+    return std::log2(relativeError(friction(2, scheme), exact) /
+                     relativeError(friction(16, scheme), exact)) /
            3;
   };
   EXPECT_GT(order(Scheme::Linear), 1.7);

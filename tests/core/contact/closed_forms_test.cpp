@@ -36,10 +36,6 @@ double isolated(double a, double c) {
   return 2 * a + 40 * c + a;
 }
 
-double relative(double value, double exact) {
-  return std::abs(value / exact - 1);
-}
-
 class Represented : public testing::TestWithParam<Scheme> {};
 
 TEST_P(Represented, WedgeIsExactWhateverTheGrid) {
@@ -50,9 +46,9 @@ TEST_P(Represented, WedgeIsExactWhateverTheGrid) {
       const PreparedProfile line = prepareProfile(wedgeLine(isolated(a, c), nodes, t), GetParam());
       const SteadyResult result = slideAtDepth(line, withRelaxationLength(c), d);
       const Forces exact = wedgeForces(t, d, c);
-      EXPECT_LT(relative(result.normalForce, exact.normal), 1e-9) << ratio;
+      EXPECT_LT(relativeError(result.normalForce, exact.normal), 1e-9) << ratio;
       if (c > 0) {
-        EXPECT_LT(relative(result.tangentialForce, exact.tangential), 1e-9) << ratio;
+        EXPECT_LT(relativeError(result.tangentialForce, exact.tangential), 1e-9) << ratio;
       }
     }
 }
@@ -68,9 +64,9 @@ TEST(ClosedForms, ParabolaIsExactForCubicWhateverTheGrid) {
           prepareProfile(parabolaLine(isolated(a, c), nodes, radius), Scheme::Cubic);
       const SteadyResult result = slideAtDepth(line, withRelaxationLength(c), d);
       const Forces exact = parabolaForces(radius, d, c);
-      EXPECT_LT(relative(result.normalForce, exact.normal), 1e-9) << ratio;
+      EXPECT_LT(relativeError(result.normalForce, exact.normal), 1e-9) << ratio;
       if (c > 0) {
-        EXPECT_LT(relative(result.tangentialForce, exact.tangential), 1e-9) << ratio;
+        EXPECT_LT(relativeError(result.tangentialForce, exact.tangential), 1e-9) << ratio;
       }
     }
 }
@@ -82,8 +78,8 @@ TEST(ClosedForms, ParabolaConvergesAtSecondOrderForLinear) {
     const Line line = parabolaLine(isolated(a, c), nodes, radius);
     const SteadyResult r =
         slideAtDepth(prepareProfile(line, Scheme::Linear), withRelaxationLength(c), d);
-    return std::max(relative(r.normalForce, exact.normal),
-                    relative(r.tangentialForce, exact.tangential));
+    return std::max(relativeError(r.normalForce, exact.normal),
+                    relativeError(r.tangentialForce, exact.tangential));
   };
   EXPECT_LT(error(4000), 1e-3);
   EXPECT_GT(std::log2(error(1000) / error(8000)) / 3, 1.8);
@@ -94,14 +90,14 @@ TEST(ClosedForms, NodalShapesApproachTheClosedForms) {
   const Line wedge = wedgeLine(isolated(a, c), 200000, t);
   const SteadyResult w =
       slideAtDepth(prepareProfile(wedge, Scheme::Nodal), withRelaxationLength(c), d);
-  EXPECT_LT(relative(w.normalForce, wedgeForces(t, d, c).normal), 1e-3);
-  EXPECT_LT(relative(w.tangentialForce, wedgeForces(t, d, c).tangential), 1e-3);
+  EXPECT_LT(relativeError(w.normalForce, wedgeForces(t, d, c).normal), 1e-3);
+  EXPECT_LT(relativeError(w.tangentialForce, wedgeForces(t, d, c).tangential), 1e-3);
 }
 
 TEST(ClosedForms, ParabolaAtLowVelocityHasFrictionCOverR) {
   const double radius = 0.1, d = 2e-6, a = std::sqrt(2 * radius * d), c = 1e-9 * a;
   const PreparedProfile line = prepareProfile(parabolaLine(4 * a, 64, radius), Scheme::Cubic);
-  EXPECT_LT(relative(slideAtDepth(line, withRelaxationLength(c), d).mu, c / radius), 1e-8);
+  EXPECT_LT(relativeError(slideAtDepth(line, withRelaxationLength(c), d).mu, c / radius), 1e-8);
 }
 
 TEST(ClosedForms, ParabolaAtFixedForceHasItsMaximumWhereTheFormulaSays) {
@@ -122,7 +118,7 @@ TEST(ClosedForms, SineInFullContact) {
   const double exact = c * q * q * amplitude * amplitude / (2 * d);
   const auto error = [&](std::size_t nodes, Scheme scheme) {
     const Line line = sineLine(length, nodes, amplitude, 4);
-    return relative(
+    return relativeError(
         slideAtDepth(prepareProfile(line, scheme), withRelaxationLength(c), d + amplitude).mu,
         exact);
   };
@@ -158,7 +154,7 @@ TEST(ClosedForms, FullContactOfARoughLine) {
     EXPECT_NEAR(result.contactFraction, 1, 1e-12);
     const double exact =
         4 * line.length * kModulus * kTau * v * line.rmsSlope * line.rmsSlope / force;
-    return relative(result.mu, exact);
+    return relativeError(result.mu, exact);
   };
   EXPECT_LT(error(1, Scheme::Nodal), 1e-10);
   EXPECT_LT(error(4, Scheme::Cubic), 1e-3);

@@ -17,10 +17,6 @@
 namespace asperity {
 namespace {
 
-double relative(double value, double exact) {
-  return std::abs(value / exact - 1);
-}
-
 std::uint64_t searches() {
   return stageCounts()[static_cast<std::size_t>(Stage::ContactSearch)];
 }
@@ -40,7 +36,7 @@ TEST(CompleteContact, BeginsForASineWhereTheClosedFormSays) {
   const PreparedProfile line = prepareProfile(sineLine(0.01, 4000, amplitude, 4), Scheme::Cubic);
   for (const double turn : {0.0, 0.1, 1.0, 10.0}) {
     const double exact = amplitude * (1 + std::sqrt(1 + turn * turn));
-    EXPECT_LT(relative(completeAbove(line, turn / q), exact), 1e-8);
+    EXPECT_LT(relativeError(completeAbove(line, turn / q), exact), 1e-8);
   }
 }
 
@@ -51,9 +47,10 @@ TEST(CompleteContact, IsToldToTheLastDigit) {
       EXPECT_TRUE(isContactComplete(line, above * (1 + 1e-15), relaxationLength));
       EXPECT_FALSE(isContactComplete(line, above * (1 - 1e-15), relaxationLength));
       // The pass itself, which looks for edges, agrees.
-      EXPECT_LT(relative(resolvedPass(line, above * (1 + 1e-12), relaxationLength).contactLength,
-                         line.length),
-                1e-13);  // a sum of a thousand lengths
+      EXPECT_LT(
+          relativeError(resolvedPass(line, above * (1 + 1e-12), relaxationLength).contactLength,
+                        line.length),
+          1e-13);  // a sum of a thousand lengths
       EXPECT_LT(resolvedPass(line, above * (1 - 1e-6), relaxationLength).contactLength,
                 line.length * (1 - 1e-12));
     }
@@ -80,13 +77,14 @@ TEST(CompleteContact, WithoutASearchTheSameAsWithOne) {
       EXPECT_EQ(searches(), before);
       for (const SteadyResult& result : {plain, swept[0], atDepth[0]}) {
         EXPECT_EQ(result.status, SteadyStatus::Balanced);
-        EXPECT_LT(relative(result.mu, wanted), 1e-12);
-        EXPECT_LT(relative(result.indentation, balance.depth), 1e-12);
-        EXPECT_LT(relative(result.normalForce, 4 * kModulus * load), 1e-12);
-        EXPECT_LT(relative(result.forceFromPressure, result.forceFromDepth), 1e-12);
-        EXPECT_LT(relative(result.rmsSlopeContact, std::sqrt(sought.slopeSquared / line.length)),
-                  1e-12);
-        EXPECT_LT(relative(result.contactFraction, 1), 1e-13);
+        EXPECT_LT(relativeError(result.mu, wanted), 1e-12);
+        EXPECT_LT(relativeError(result.indentation, balance.depth), 1e-12);
+        EXPECT_LT(relativeError(result.normalForce, 4 * kModulus * load), 1e-12);
+        EXPECT_LT(relativeError(result.forceFromPressure, result.forceFromDepth), 1e-12);
+        EXPECT_LT(
+            relativeError(result.rmsSlopeContact, std::sqrt(sought.slopeSquared / line.length)),
+            1e-12);
+        EXPECT_LT(relativeError(result.contactFraction, 1), 1e-13);
       }
       slideAtForce(line, {kModulus, kTau, velocity}, 3.9 * kModulus * load);
       EXPECT_GT(searches(), before);
@@ -114,18 +112,18 @@ TEST(CompleteContact, OfElementsWithArmsNeedsNoSearch) {
         const std::uint64_t before = searches();
         const SteadyResult complete = at(above * (1 + 1e-8));
         EXPECT_EQ(searches(), before);
-        EXPECT_LT(relative(complete.contactFraction, 1), 1e-13);
+        EXPECT_LT(relativeError(complete.contactFraction, 1), 1e-13);
         EXPECT_LE(complete.passes, 3);
-        EXPECT_LT(relative(complete.powerIn, complete.powerDissipated), 1e-10);
+        EXPECT_LT(relativeError(complete.powerIn, complete.powerDissipated), 1e-10);
         const SteadyResult sought = at(above * (1 - 1e-8));
         EXPECT_EQ(searches(), before + 1);
-        EXPECT_LT(relative(sought.tangentialForce, complete.tangentialForce), 1e-6);
-        EXPECT_LT(relative(sought.normalForce, complete.normalForce), 1e-6);
+        EXPECT_LT(relativeError(sought.tangentialForce, complete.tangentialForce), 1e-6);
+        EXPECT_LT(relativeError(sought.normalForce, complete.normalForce), 1e-6);
         // At that force the depth is the same.
         scene.load = {LoadKind::Force, complete.normalForce, 0};
         const SteadyResult pressed = SteadySolver(scene).at(line, velocity).result;
-        EXPECT_LT(relative(pressed.indentation, complete.indentation), 1e-12);
-        EXPECT_LT(relative(pressed.tangentialForce, complete.tangentialForce), 1e-12);
+        EXPECT_LT(relativeError(pressed.indentation, complete.indentation), 1e-12);
+        EXPECT_LT(relativeError(pressed.tangentialForce, complete.tangentialForce), 1e-12);
       }
   }
 }

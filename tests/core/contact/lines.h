@@ -1,6 +1,7 @@
 // Lines that several contact tests use.
 #pragma once
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -30,6 +31,10 @@ inline Line roughLine(std::int64_t elements, std::int64_t oversampling = 1, doub
   scene.surface.elements = elements;
   scene.surface.hurst = hurst;
   return LineSource(scene, oversampling).make(realization);
+}
+
+inline double relativeError(double value, double exact) {
+  return std::abs(value / exact - 1);
 }
 
 inline constexpr double kModulus = 1e7, kTau = 1e-3;  // Pa, s

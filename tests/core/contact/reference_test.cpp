@@ -9,10 +9,6 @@
 namespace asperity {
 namespace {
 
-double relative(double value, double exact) {
-  return std::abs(value / exact - 1);
-}
-
 TEST(Reference, HasAllItsRows) {
   EXPECT_EQ(convergedRows().size(), 45U);
 }
@@ -38,7 +34,7 @@ TEST(Reference, FrictionIsAsAccurateAsTheReadmeSays) {
           slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce);
       ASSERT_EQ(result.status, SteadyStatus::Balanced);
       if (row.contactFraction >= 5e-4) {
-        EXPECT_LT(relative(result.mu, row.mu), stated.above);
+        EXPECT_LT(relativeError(result.mu, row.mu), stated.above);
       } else {
         EXPECT_LT(std::max(result.mu / row.mu, row.mu / result.mu), stated.factorBelow);
       }
@@ -51,10 +47,10 @@ TEST(Reference, IndentationIsMeasuredFromTheLowestPoint) {
   for (const auto& [oversampling, error] : {std::pair{2, 7e-4}, {4, 3e-5}, {8, 2e-6}}) {
     const PreparedProfile line = prepareProfile(referenceProfile(oversampling), Scheme::Cubic);
     for (const ConvergedRow& row : convergedRows())
-      EXPECT_LT(
-          relative(slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce).indentation,
-                   row.indentation),
-          error)
+      EXPECT_LT(relativeError(
+                    slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce).indentation,
+                    row.indentation),
+                error)
           << "x" << oversampling << ", " << row.normalForce << " N, " << row.velocity << " m/s";
   }
 }
@@ -67,10 +63,10 @@ TEST(Reference, ContactOfSmoothSegments) {
       const SteadyResult result =
           slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce);
       if (oversampling == 2) {
-        EXPECT_LT(relative(result.contactFraction, row.contactFraction),
+        EXPECT_LT(relativeError(result.contactFraction, row.contactFraction),
                   row.contactFraction >= 5e-4 ? 1e-2 : 3e-2);
       } else if (row.velocity <= 100) {
-        EXPECT_LT(relative(result.rmsSlopeContact, row.rmsSlopeContact), 2e-3);
+        EXPECT_LT(relativeError(result.rmsSlopeContact, row.rmsSlopeContact), 2e-3);
       }
     }
   }

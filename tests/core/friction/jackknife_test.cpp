@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-Scene smallScene(std::int64_t realizations = 12) {
+Scene groupedScene(std::int64_t realizations = 12) {
   Scene scene = sceneOfSize(400, 5, realizations);
   scene.sweep = {1e-3, 10, 5};
   return scene;
@@ -28,7 +28,7 @@ GroupedMeans meansOf(const Scene& scene, int threads = 0) {
 }
 
 TEST(GroupedMeans, HasTheAveragesOfTheCurve) {
-  const Scene scene = smallScene();
+  const Scene scene = groupedScene();
   const GroupedMeans means = meansOf(scene);
   const Curve curve = frictionCurve(scene);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -45,7 +45,7 @@ TEST(GroupedMeans, HasTheAveragesOfTheCurve) {
 }
 
 TEST(GroupedMeans, DoesNotDependOnTheThreads) {
-  const GroupedMeans one = meansOf(smallScene(), 1), three = meansOf(smallScene(), 3);
+  const GroupedMeans one = meansOf(groupedScene(), 1), three = meansOf(groupedScene(), 3);
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(one.mu(j, i), three.mu(j, i));
@@ -55,7 +55,7 @@ TEST(GroupedMeans, DoesNotDependOnTheThreads) {
 
 /// Of a mean, leaving out single realizations gives the standard error of the mean exactly.
 TEST(GroupedMeans, JackknifeOfAMeanIsItsStandardError) {
-  const GroupedMeans means = meansOf(smallScene());
+  const GroupedMeans means = meansOf(groupedScene());
   ASSERT_EQ(means.groups(), 12);
   for (std::size_t i = 0; i < 5; ++i) {
     const Estimate mean = jackknife(means.groups(), [&](int out) { return means.mu(0, i, out); });
@@ -65,7 +65,7 @@ TEST(GroupedMeans, JackknifeOfAMeanIsItsStandardError) {
 }
 
 TEST(GroupedMeans, OneRealizationHasNoError) {
-  const GroupedMeans means = meansOf(smallScene(1));
+  const GroupedMeans means = meansOf(groupedScene(1));
   EXPECT_TRUE(std::isnan(means.muStandardError(0, 0)));
   EXPECT_TRUE(std::isnan(
       jackknife(means.groups(), [&](int out) { return means.mu(0, 0, out); }).standardError));
@@ -73,7 +73,7 @@ TEST(GroupedMeans, OneRealizationHasNoError) {
 
 /// Eq. (6): mu is that of the pooled contact, exactly, as v -> 0.
 TEST(GroupedMeans, PooledSlopeBelongsToEquation6) {
-  Scene scene = smallScene();
+  Scene scene = groupedScene();
   scene.sweep = {1e-7, 1e-6, 2};
   const GroupedMeans means = meansOf(scene);
   const double law =
@@ -87,7 +87,7 @@ TEST(GroupedMeans, StopsOnRequest) {
   source.request_stop();
   GroupedMeansOptions options;
   options.stop = source.get_token();
-  EXPECT_THROW(GroupedMeans(smallScene(), {0.1}, {1.0}, options), StopRequested);
+  EXPECT_THROW(GroupedMeans(groupedScene(), {0.1}, {1.0}, options), StopRequested);
 }
 
 }  // namespace
