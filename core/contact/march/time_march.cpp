@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/contact/kernels/decay_moments.h"
 #include "core/contact/line/polynomial.h"
@@ -17,6 +18,47 @@ constexpr double kMinMove = 1e-6;
 
 /// Relative to the terms of a balance: smaller values are rounding errors.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// Elements with a threshold below a climb: their number, and the sum of their thresholds (m).
+struct Touched {
+  double count = 0, sum = 0;
+};
+
+// Long sums and minima are made of eight parts: one operation then does not wait for the one
+// before, and the compiler keeps the parts in vectors.
+constexpr std::size_t kParts = 8;
+using Parts = std::array<double, kParts>;
+
+/// Returns the sum of the parts, always in the same order.
+double sumOf(const Parts& parts) {
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+/// Returns the elements that a climb (m) touches.
+Touched touchedBy(double climb, std::span<const double> thresholds) {
+  Parts count{}, sum{};
+  const auto add = [&](std::size_t part, double threshold) {
+    const bool below = threshold < climb;
+    count[part] += below ? 1.0 : 0.0;
+    sum[part] += below ? threshold : 0.0;
+  };
+  const std::size_t blocks = thresholds.size() / kParts * kParts;
+  for (std::size_t i = 0; i < blocks; i += kParts)
+    for (std::size_t k = 0; k < kParts; ++k) add(k, thresholds[i + k]);
+  for (std::size_t i = blocks; i < thresholds.size(); ++i) add(i - blocks, thresholds[i]);
+  return {sumOf(count), sumOf(sum)};
+}
+
+/// Returns the smallest of at least one value.
+double smallest(std::span<const double> values) {
+  Parts least;
+  least.fill(values.front());
+  const std::size_t blocks = values.size() / kParts * kParts;
+  for (std::size_t i = 0; i < blocks; i += kParts)
+    for (std::size_t k = 0; k < kParts; ++k) least[k] = std::min(least[k], values[i + k]);
+  for (std::size_t i = blocks; i < values.size(); ++i) least[0] = std::min(least[0], values[i]);
+  return std::ranges::min(least);
+}
 
 /// Returns the rounding error of p/4 in Pa beside pressures p (N/m) in their balance.
 double pressureRounding(std::span<const double> pressure) {
@@ -142,20 +184,14 @@ void TimeMarch::placeLine() {
 /// approaches from the right and only falls, until the set of touched elements repeats; a step that
 /// does not fall is rounding.
 TimeMarch::Climb TimeMarch::balance(double load) {
-  const double lowest = *std::min_element(threshold_.begin(), threshold_.end());
+  const double lowest = smallest(threshold_);
   for (double& threshold : threshold_) threshold -= lowest;
   double d = std::max(-lowest, load);
   for (bool first = true; true; first = false) {
-    std::size_t count = 0;
-    double sum = 0;
-    for (const double threshold : threshold_) {
-      const bool below = threshold < d;
-      count += below ? 1 : 0;
-      sum += below ? threshold : 0;
-    }
-    const double next = count > 0 ? (load + sum) / static_cast<double>(count) : load;
+    const Touched touched = touchedBy(d, threshold_);
+    const double next = touched.count > 0 ? (load + touched.sum) / touched.count : load;
     if (!(next < d) && !first) return {lowest, d};
-    if (next == d || count == 0) return {lowest, next};
+    if (next == d || touched.count == 0) return {lowest, next};
     d = next;
   }
 }
