@@ -14,6 +14,7 @@
 #include "app/progress_bar.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_lines.h"
@@ -25,8 +26,12 @@
 namespace asperity {
 namespace {
 
-bool readFinite(std::string_view text, double& number) {
-  return readNumber(text, number) && std::isfinite(number);
+/// Replaces a number with a unit, "3 mm", by that in the SI unit, and returns why the unit is
+/// refused. Any other text stays, for the check behind it.
+std::string toPlainNumber(std::string& text, std::string_view unit) {
+  const TypedQuantity typed = typedQuantity(text, {unit});
+  if (typed.value) text = plainNumber(*typed.value);
+  return typed.refusal.english();
 }
 
 template <class Number>
@@ -119,18 +124,22 @@ InputError mismatch(const std::string& text) {
 
 NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit) {
   const std::string_view all = text;
-  const std::size_t colon = all.find(':');
-  NumberRange range;
-  if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
-      !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
+  const std::size_t colon = std::min(all.find(':'), all.size());
+  const TypedQuantity from = typedQuantity(all.substr(0, colon), {unit}),
+                      to = typedQuantity(all.substr(std::min(colon + 1, all.size())), {unit});
+  for (const TypedQuantity& end : {from, to})
+    if (!end.refusal.empty()) throw InputError("", option, end.refusal);
+  if (!from.value || !to.value || !(*from.value < *to.value))
     throw InputError("", option,
                      message("{} is not FROM:TO{} with FROM below TO", shortened(text),
                              unit.empty() ? "" : " in " + unit));
-  return range;
+  return {*from.value, *to.value};
 }
 
 void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit) {
   setRange(option, least, most, "number", rangeText(least, most, unit).english());
+  option->transform(CLI::Validator(
+      [unit = std::string(unit)](std::string& text) { return toPlainNumber(text, unit); }, ""));
 }
 
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most) {

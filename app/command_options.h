@@ -26,12 +26,12 @@ struct NumberRange {
   double from = 0, to = 0;
 };
 
-/// Reads two finite numbers, the first below the second. Throws InputError naming the option. unit:
-/// of both numbers, shown in the error; may be empty.
+/// Reads two finite numbers, the first below the second. Each is in the SI unit `unit`, which may
+/// be empty, or has a unit of its own: "1mm:2mm". Throws InputError naming the option.
 NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit);
 
 /// Restricts the option to finite numbers, or integers, within limits. The help shows the limits
-/// with their unit.
+/// with their SI unit; a number may have a unit of its own, as "3 mm".
 void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit = {});
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most);
 

@@ -56,6 +56,15 @@ TEST_F(ViewTest, APartOfTheLineIsShownBetweenItsEnds) {
   EXPECT_EQ(drawing("--view 0:0.02"), drawing(""));  // the whole period
 }
 
+TEST_F(ViewTest, PositionsAndTimesMayHaveUnits) {
+  EXPECT_EQ(drawing("--view '4 mm:6mm'"), drawing("--view 4e-3:6e-3"));
+  EXPECT_EQ(drawing("--heights -10um:10um"), drawing("--heights -1e-5:1e-5"));
+  EXPECT_EQ(drawing("--probe '3 mm'"), drawing("--probe 3e-3"));
+  EXPECT_EQ(drawing("--magnify -3mm"), drawing("--magnify -3e-3"));
+  EXPECT_EQ(drawing("--slid 500um"), drawing("--slid 5e-4"));
+  EXPECT_EQ(drawing("--at '2 ms'"), drawing("--at 2e-3"));
+}
+
 TEST_F(ViewTest, HeightsAreSaidInMetresOrAsTheirExaggeration) {
   EXPECT_THAT(texts("--heights -1e-5:1e-5"), AllOf(HasSubstr("|10|"), HasSubstr("\u221210|")));
   for (const auto& [times, shown] : {std::pair("100", "100"), {"450", "450"}, {"2000", "2,000"}})
@@ -181,6 +190,9 @@ TEST_F(ViewTest, WhatCannotBeMeantIsRefused) {
   refused("--magnify nan", "--magnify");
   refused("--at -1", "--at: -1 is outside 0 to 1e12 s");
   refused("--at nan", "--at");
+  refused("--at '3 mm'", "--at: 3 mm is a length; expected a time, such as 1 ms");
+  refused("--probe 3furlongs", "--probe: 'furlongs' is not a known unit; expected a length");
+  refused("--view 1ms:2ms", "--view: 1ms is a time; expected a length, such as 20 mm");
   refused("--slid 1e300", "--slid");
   refused("--at 1" + std::string(kMotion), "after the motion's end");
   refused("--slid 1e-3" + std::string(kMotion), "--slid: belongs to steady sliding");
