@@ -52,7 +52,7 @@ bool isShiftIdle(const Parameter& row, const Scene& scene) {
 
 /// Returns the value, or the automatic choice where the scene leaves it open.
 ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
-  if (row.key == "accuracy.oversampling") return curvePointsPerElement(scene);
+  if (row.zero == ZeroMeaning::ChosenByScene) return curvePointsPerElement(scene);
   return parameterValue(row, scene);
 }
 

@@ -113,10 +113,9 @@ bool isList(const Parameter& parameter) {
 
 bool isTakenFromSurfaceFile(const Parameter& parameter, const Scene& scene, double number) {
   if (number != 0) return false;
-  if (parameter.key == "ensemble.realizations")
+  if (parameter.zero == ZeroMeaning::EveryRow)
     return scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface);
-  return hasSurfaceFile(scene.surface) &&
-         (parameter.key == "surface.length" || parameter.key == "surface.elements");
+  return parameter.zero == ZeroMeaning::SizeOfFile && hasSurfaceFile(scene.surface);
 }
 
 namespace {
@@ -131,7 +130,7 @@ bool holds(const Applicability& applies, const Scene& scene) {
 }  // namespace
 
 bool isApplicable(const Parameter& parameter, const Scene& scene) {
-  if (parameter.key == "accuracy.oversampling" && choosesAccuracy(scene)) return false;
+  if (parameter.zero == ZeroMeaning::ChosenByScene && choosesAccuracy(scene)) return false;
   if (parameter.applies.choiceKey.empty() || holds(parameter.applies, scene)) return true;
   return !parameter.alsoApplies.choiceKey.empty() && holds(parameter.alsoApplies, scene);
 }

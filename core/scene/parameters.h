@@ -44,8 +44,12 @@ struct ChoiceField {
   std::span<const std::string_view> choices;
 };
 
+/// What a text is: a line, several sentences, or the name of a file or of a material.
+enum class TextContent { Line, Sentences, File, Material };
+
 struct TextField {
   std::string& (*member)(Scene&);
+  TextContent content = TextContent::Line;
 };
 
 /// The arms of an elastomer; their value is a JSON list of {"modulus", "relaxation_time"}.
@@ -80,6 +84,21 @@ struct Applicability {
   bool isExcept = false;
 };
 
+/// What the panel of parameters shows in place of 0, where 0 leaves the value open.
+enum class ZeroMeaning {
+  Number,        // 0 itself
+  None,          // the row's effect is absent
+  NotSet,        // the value is not known
+  Automatic,     // the program finds the value
+  AsFileStates,  // the value that the surface's file states
+  TenthOfProfile,
+  AllRows,  // of a topography
+  // The following hold in some scenes only.
+  SizeOfFile,  // the length or number of points of the surface's file, where the line has one
+  EveryRow,    // each row of a measured surface is a realization
+  ChosenByScene,
+};
+
 /// The rules for a row in scene files and for other files that it is about.
 struct FileRule {
   bool isOfMaterial = false;        // a material gives the value where the scene does not state it
@@ -103,6 +122,7 @@ struct Parameter {
   /// The row applies where this holds, too. An empty choiceKey: nowhere else.
   Applicability alsoApplies{};
   FileRule rule{};
+  ZeroMeaning zero = ZeroMeaning::Number;
 };
 
 using ParameterValue = std::variant<double, std::int64_t, std::string>;

@@ -11,12 +11,9 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kLength = "surface.length";
-constexpr std::string_view kElements = "surface.elements";
 constexpr std::string_view kFile = "surface.file";
 constexpr std::string_view kSpectrumKind = "surface.spectrum_kind";
 constexpr std::string_view kRealizations = "ensemble.realizations";
-constexpr std::string_view kOversampling = "accuracy.oversampling";
 constexpr int kDigits = 6;
 
 /// Returns whether 0 means that the profile's file or the scene determines the value.
@@ -24,15 +21,17 @@ bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
   return isChosenWhereOpen(parameter) || isTakenFromSurfaceFile(parameter, scene, 0);
 }
 
+/// Sets a number to 0, which setValue() refuses where it is outside the limits.
 void clearValue(const Parameter& parameter, Scene& scene) {
-  if (parameter.key == kLength)
-    scene.surface.length = 0;
-  else if (parameter.key == kElements)
-    scene.surface.elements = 0;
-  else if (parameter.key == kRealizations)
-    scene.ensemble.realizations = 0;
+  if (const auto* real = std::get_if<RealField>(&parameter.field))
+    real->member(scene) = 0;
   else
-    scene.accuracy.oversampling = 0;
+    std::get<IntegerField>(parameter.field).member(scene) = 0;
+}
+
+bool hasContent(const Parameter& parameter, TextContent content) {
+  const auto* text = std::get_if<TextField>(&parameter.field);
+  return text && text->content == content;
 }
 
 /// Returns the oversampling for one line and, if it differs, for the curve.
@@ -52,47 +51,42 @@ Placeholder fromFile(const Parameter& parameter, double known) {
 }  // namespace
 
 QString zeroText(const Parameter& parameter) {
-  const auto is = [&](const char* key) { return parameter.key == key; };
-  if (is("surface.position_column") || is("surface.height_column"))
-    return ParameterPanel::tr("automatic");
-  if (is("surface.point_spacing")) return ParameterPanel::tr("as in file");
-  if (is("surface.blend_length")) return ParameterPanel::tr("a tenth");
-  if (is("surface.row")) return ParameterPanel::tr("all rows");
-  if (is("surface.short_wave_cut") || is("surface.long_wave_cut") || is("surface.outliers"))
-    return ParameterPanel::tr("none");
-  if (parameter.key.starts_with("elastomer.measured.")) return ParameterPanel::tr("not set");
-  return {};
+  switch (parameter.zero) {
+    case ZeroMeaning::None:
+      return ParameterPanel::tr("none");
+    case ZeroMeaning::NotSet:
+      return ParameterPanel::tr("not set");
+    case ZeroMeaning::Automatic:
+      return ParameterPanel::tr("automatic");
+    case ZeroMeaning::AsFileStates:
+      return ParameterPanel::tr("as in file");
+    case ZeroMeaning::TenthOfProfile:
+      return ParameterPanel::tr("a tenth");
+    case ZeroMeaning::AllRows:
+      return ParameterPanel::tr("all rows");
+    default:
+      return {};
+  }
 }
 
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
                                           const LineSize& known) {
-  if (parameter.key == kRealizations && !mayHaveManyLines(scene.surface))
+  if (parameter.zero == ZeroMeaning::EveryRow && !mayHaveManyLines(scene.surface))
     return Placeholder{QStringLiteral("1"), 1, true};
-  if (parameter.key == kRealizations && isTakenFromSurfaceFile(parameter, scene, 0))
-    return scene.ensemble.realizations == 0
-               ? std::optional(Placeholder{ParameterPanel::tr("every row"), {}, false})
-               : std::nullopt;
-  if (const QString meaning = zeroText(parameter); !meaning.isEmpty()) {
-    const ParameterValue value = parameterValue(parameter, scene);
-    const bool isZero = value == ParameterValue(0.0) || value == ParameterValue(std::int64_t{0});
-    return isZero ? std::optional(Placeholder{meaning, 0, false}) : std::nullopt;
-  }
-  if (!mayBeLeftOpen(parameter, scene)) return {};
-  if (isChosenWhereOpen(parameter))
-    return scene.accuracy.oversampling == 0 ? std::optional(chosenOversampling(scene))
-                                            : std::nullopt;
-  if (parameter.key == kLength)
-    return scene.surface.length == 0 ? std::optional(fromFile(parameter, known.length))
-                                     : std::nullopt;
-  return scene.surface.elements == 0
-             ? std::optional(fromFile(parameter, static_cast<double>(known.elements)))
-             : std::nullopt;
+  const QString meaning = zeroText(parameter);
+  if (meaning.isEmpty() && !mayBeLeftOpen(parameter, scene)) return {};
+  if (parameterNumber(parameter, scene) != 0) return {};
+  if (!meaning.isEmpty()) return Placeholder{meaning, 0, false};
+  if (parameter.zero == ZeroMeaning::EveryRow)
+    return Placeholder{ParameterPanel::tr("every row"), {}, false};
+  if (isChosenWhereOpen(parameter)) return chosenOversampling(scene);
+  return fromFile(parameter,
+                  isWholeNumber(parameter) ? static_cast<double>(known.elements) : known.length);
 }
 
 ParameterValue resetValue(const Parameter& parameter, const Scene& scene) {
   if (!mayBeLeftOpen(parameter, scene)) return defaultValue(parameter);
-  if (parameter.key == kLength) return 0.0;
-  return std::int64_t{0};
+  return isWholeNumber(parameter) ? ParameterValue(std::int64_t{0}) : ParameterValue(0.0);
 }
 
 void assignValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
@@ -116,19 +110,19 @@ void assignText(const Parameter& parameter, Scene& scene, std::string_view text)
 }
 
 bool isChosenWhereOpen(const Parameter& parameter) {
-  return parameter.key == kOversampling;
+  return parameter.zero == ZeroMeaning::ChosenByScene;
 }
 
 bool isFile(const Parameter& parameter) {
-  return parameter.key == kFile;
+  return hasContent(parameter, TextContent::File);
 }
 
 bool isMaterial(const Parameter& parameter) {
-  return parameter.key == "elastomer.material";
+  return hasContent(parameter, TextContent::Material);
 }
 
 bool isLongText(const Parameter& parameter) {
-  return parameter.key == "description";
+  return hasContent(parameter, TextContent::Sentences);
 }
 
 Missing missingValue(const Scene& scene) {
