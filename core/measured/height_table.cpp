@@ -80,7 +80,7 @@ bool isOtherQuantity(std::string_view name, bool ofTable) {
 /// positions do along the lines of points of one grid.
 bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
   constexpr std::size_t kMin = 3, kMax = 12;  // columns of points
-  constexpr double kHardly = 0.25;
+  constexpr double kSmallShare = 0.25;        // of the whole range
   if (block.columns.size() < kMin || block.columns.size() > kMax) return false;
   std::size_t steady = 0;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
@@ -93,7 +93,7 @@ bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
       all.add(part.least);
       all.add(part.most);
     }
-    steady += all.size() > 0 && widest < kHardly * all.size() ? 1 : 0;
+    steady += all.size() > 0 && widest < kSmallShare * all.size() ? 1 : 0;
   }
   return steady > 0 && steady < block.columns.size();
 }

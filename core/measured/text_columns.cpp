@@ -201,9 +201,10 @@ class RoleFinder {
                                columnText(block_, longitude), columnText(block_, latitude)));
   }
 
-  /// A depth counts into the material, but instruments that write a path call a height so, too.
+  /// A depth, or a distance from a sensor, counts into the material, but instruments that write a
+  /// path call a height so, too.
   void refuseDepth() const {
-    constexpr WordList kDepths("depth tiefe");
+    constexpr WordList kDepths("depth tiefe distance abstand standoff");
     if (heightChoice_ >= 0 || roles_.z < 0 || !begins(kDepths, lowerCase(nameOf(roles_.z)))) return;
     if (roles_.x >= 0 && isProfilePosition(lowerCase(nameOf(roles_.x)))) return;
     throw InputError(name_, "surface.height_column",

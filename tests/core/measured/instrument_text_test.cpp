@@ -482,15 +482,13 @@ TEST(Units, AreKnownInOtherLanguages) {
 
 /// A depth counts into the material, unless the user says that the column holds heights.
 TEST(Depth, IsAskedFor) {
-  const std::string text = "x_um,depth_um\n0,0\n1,5\n2,0\n3,1\n4,0\n5,0\n6,0\n7,0\n";
-  try {
-    read(text);
-    ADD_FAILURE();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("may count into the material; say 2"),
-              std::string::npos)
-        << error.what();
+  for (const char* name : {"depth_um", "distance sensor to surface (um)", "Abstand [um]"}) {
+    const std::string text =
+        "x_um," + std::string(name) + "\n0,0\n1,5\n2,0\n3,1\n4,0\n5,0\n6,0\n7,0\n";
+    EXPECT_NE(errorOf(text).find("may count into the material; say 2"), std::string::npos)
+        << errorOf(text);
   }
+  EXPECT_EQ(errorOf("Distance [mm],Height [um]\n0,0\n1,5\n2,0\n3,1\n"), "no error");
 }
 
 }  // namespace
