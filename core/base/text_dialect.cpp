@@ -133,6 +133,15 @@ Fit fitOf(const Sample& sample, const TextDialect& dialect) {
     }
   constexpr double kOfOtherWidth = 0.3;
   fit.score = best + kOfOtherWidth * (sum - best);
+  // A list of single numbers above a table has no separators; a comma may be its decimal mark.
+  constexpr double kTable = 2;
+  const bool isTold = dialect.isExact() && separatorCharacter(dialect.separator) != ',';
+  if (isTold && fit.columns == 1 && sum - best >= kTable) {
+    ofColumns.erase(1);
+    fit.columns =
+        std::ranges::max_element(ofColumns, {}, [](const auto& one) { return one.second; })->first;
+    fit.score = sum;
+  }
   return fit;
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <iterator>
 
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
@@ -142,7 +143,8 @@ bool suitsLetter(std::string_view name, std::string_view unit) {
   const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
   // "mu_min" is a smallest value, "time_min" a time.
   if (lowerCase(unit) == "min") return first == 't' || first == 'z' || first == 'd';
-  if (unit.size() > 1) return lowerCase(unit) != "in" || name.size() <= 2;
+  // "Reibwert \u00B5" names the friction, and "z \u00B5" a height.
+  if (unit.size() > 1) return !isOneOf(lowerCase(unit), "in \u00B5 \u03BC") || name.size() <= 2;
   switch (unit.front()) {
     case 'm':
       return true;
@@ -493,6 +495,30 @@ std::vector<Fields> rowsAbove(const std::vector<TextLine>& above, const TextDial
   return rows;
 }
 
+/// Returns the names of the columns where numbered lines list them, "Sig1<tab>Time (min)" or
+/// "# Column 2: z (um)"; empty where there is no such list of so many columns.
+Fields listedNames(const std::vector<TextLine>& above, const TextDialect& dialect,
+                   std::size_t columns) {
+  constexpr WordList kOfColumns("sig signal column col spalte channel kanal colonne columna");
+  Fields names, complete;
+  std::size_t last = 0;
+  for (const TextLine& line : above) {
+    const TextEntry entry = parseEntry(line, dialect);
+    const std::size_t digits = entry.key.find_last_not_of("0123456789") + 1;
+    const std::string word = lowerCase(trimmedBlanks(entry.key.substr(0, digits)));
+    std::size_t number = 0;
+    if (entry.value.empty() || beginsAsNumber(entry.value) || !isOneOf(word, kOfColumns) ||
+        !readNumber(std::string_view(entry.key).substr(digits), number))
+      continue;
+    const bool goesOn = !names.empty() && number == last + 1;
+    if (!goesOn) names.clear();
+    if (goesOn || number <= 1) names.push_back(entry.value);
+    last = number;
+    complete = names.size() == columns ? names : Fields{};
+  }
+  return complete;
+}
+
 }  // namespace
 
 std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const TextDialect& dialect,
@@ -511,7 +537,11 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
   // Names are above their units; without a row of units, they contain some, or are directly above
   // the numbers.
   const Fields* names = nullptr;
-  if (units == rows.end()) {
+  const Fields listed = listedNames(above, dialect, columns);
+  if (!listed.empty()) {
+    names = &listed;
+    units = rows.end();
+  } else if (units == rows.end()) {
     const auto found = std::ranges::find_if(rows, haveUnits);
     if (!rows.empty()) names = found != rows.end() ? &*found : &rows.front();
   } else if (units + 1 != rows.end()) {

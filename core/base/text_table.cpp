@@ -94,17 +94,46 @@ std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
   return entries;
 }
 
+/// Returns whether a block has one row of numbers with names, fewer than the block below it and
+/// with other names: "Load (N);T (C)" above "50;23".
+bool isRowOfConditions(const TextBlock& block, const TextBlock& below) {
+  const auto isOwnName = [&below](const TextColumn& column) {
+    return !column.name.empty() &&
+           std::ranges::find(below.columns, column.name, &TextColumn::name) == below.columns.end();
+  };
+  return block.rows == 1 && block.values.size() < below.values.size() && hasTwoNumbers(below) &&
+         std::ranges::all_of(block.columns, isOwnName);
+}
+
+/// Returns the numbers of such a row as lines.
+std::vector<TextEntry> conditionEntries(const TextBlock& row, char decimal) {
+  std::vector<TextEntry> entries = row.header;
+  for (std::size_t i = 0; i < row.columns.size(); ++i) {
+    const TextColumn& column = row.columns[i];
+    if (column.isText || std::isnan(row.at(0, i))) continue;
+    std::string value = plain(row.at(0, i)).text;
+    std::ranges::replace(value, '.', decimal);
+    const bool hasCell = !row.cells[i].empty() && !row.cells[i].front().text.empty();
+    value = hasCell ? row.cells[i].front().text : value + " " + column.unit;
+    entries.push_back({column.name, value, row.lines.front(), column.name + ": " + value});
+  }
+  return entries;
+}
+
 }  // namespace
 
 void moveListsAbove(TextTable& table) {
   std::vector<TextBlock>& blocks = table.blocks;
   for (std::size_t i = 0; i + 1 < blocks.size();) {
     const auto below = blocks.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-    if (!isList(blocks[i]) || std::none_of(below, blocks.end(), hasTwoNumbers)) {
+    const bool isOfList = isList(blocks[i]) && std::any_of(below, blocks.end(), hasTwoNumbers);
+    if (!isOfList && !isRowOfConditions(blocks[i], *below)) {
       ++i;
       continue;
     }
-    std::vector<TextEntry> entries = listedEntries(blocks[i], table.dialect.decimal);
+    const std::vector<TextEntry> entries = isOfList
+                                               ? listedEntries(blocks[i], table.dialect.decimal)
+                                               : conditionEntries(blocks[i], table.dialect.decimal);
     below->header.insert(below->header.begin(), entries.begin(), entries.end());
     blocks.erase(below - 1);
   }

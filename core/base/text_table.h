@@ -111,7 +111,8 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options = {});
 
 /// Moves lists of names and numbers into the header of the table below them, as the lines "Load
-/// [N];75" below "Compound;A12", where a table with two columns of numbers follows.
+/// [N];75" below "Compound;A12", where a table with two columns of numbers follows; and so single
+/// rows of numbers with names, "Load [N];T [C]" above "75;20".
 void moveListsAbove(TextTable& table);
 
 /// Replaces logarithms by the quantities themselves in columns with names such as "log10(f/Hz)",

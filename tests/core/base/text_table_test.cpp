@@ -521,6 +521,61 @@ TEST(TextTable, KeepsLabelsWhereACallerWantsThem) {
   EXPECT_FALSE(read("v,mu\n1,1\n2,2\n", options).largest().columns[1].isText);
 }
 
+/// Programs list the columns one below the other, as Universal Analysis of TA Instruments does.
+TEST(TextTable, ReadsAListOfTheColumns) {
+  for (const char* list :
+       {"Nsig\t2\nSig1\tx (mm)\nSig2\tz (\u00B5m)\nOrgFile\ta.001\nStartOfData\n",
+        "# Column 1: x [mm]\n# Column 2: z [\u00B5m]\n",
+        "# col 0 = x (mm)\n# col 1 = z (\u00B5m)\n\n",
+        "Channel 1\tSpeed (m/s)\nChannel 1\tx (mm)\nChannel 2\tz (\u00B5m)\n"}) {
+    const TextTable table = read(std::string(list) + "1\t2.5\n2\t3.5\n");
+    ASSERT_EQ(table.blocks.size(), 1U) << list;
+    EXPECT_EQ(table.blocks[0].columns[0].name, "x") << list;
+    EXPECT_EQ(table.blocks[0].columns[1].unit, "\u00B5m") << list;
+  }
+  const TextTable three =
+      read("Channel 1;x [mm]\nChannel 2;z [um]\nChannel 3;v [mm/s]\n\n0;1,5;5\n1;2,5;5\n");
+  EXPECT_EQ(three.blocks[0].columns[1].unit, "um");
+  for (const char* list : {"Column 1: x (mm)\n", "Column 1: x\nColumn 2: z\nColumn 3: y\n",
+                           "Column 1: 20 C\nColumn 2: 30 C\n", "Sample 1: NR\nSample 2: BR\n"})
+    EXPECT_FALSE(read(std::string(list) + "1\t2.5\n2\t3.5\n").blocks[0].hasNames()) << list;
+}
+
+TEST(TextTable, MovesARowOfConditionsAboveTheTableBelow) {
+  TextTableOptions options;
+  options.keepsTexts = options.readsCells = true;
+  TextTable table = read("Sample;Load [N];T [C]\nNR;50,5;23\n\nv;mu\n1;0,3\n10;0,4\n", options);
+  moveListsAbove(table);
+  ASSERT_EQ(table.blocks.size(), 1U);
+  EXPECT_EQ(table.entry("Load", table.blocks[0]), "50,5 N");
+  EXPECT_EQ(table.entry("T", table.blocks[0]), "23 C");
+  // Neither numbers without names, nor a row of the same columns, nor the larger table.
+  for (const char* text :
+       {"50;23\n\nv;mu\n1;0.3\n10;0.4\n", "v;mu\n0.1;0.2\n\nv;mu\n1;0.3\n10;0.4\n",
+        "a;b;c;d;e\n1;2;3;4;5\n\nv;mu\n1;0.3\n10;0.4\n"}) {
+    TextTable other = read(text, options);
+    moveListsAbove(other);
+    EXPECT_EQ(other.blocks.size(), 2U) << text;
+  }
+}
+
+/// A line with one number is a row with any separator, so that a list above a table does not tell
+/// which one the table has.
+TEST(TextTable, KnowsTheSeparatorBelowAListOfNumbers) {
+  for (const char* separator : {";", "\t"})
+    for (const char decimal : {'.', ','}) {
+      std::string rows = "1|2.5|3\n2|3.5|4\n";
+      replaceAll(rows, "|", separator);
+      std::string text = "20.5\n30.5\n40.5\n50.5\n\n" + rows;
+      std::ranges::replace(text, '.', decimal);
+      const TextTable table = read(text);
+      ASSERT_EQ(table.blocks.size(), 2U) << text;
+      EXPECT_EQ(table.blocks[0].at(3, 0), 50.5);
+      EXPECT_EQ(table.blocks[1].columns.size(), 3U);
+      EXPECT_EQ(table.blocks[1].at(1, 1), 3.5);
+    }
+}
+
 TEST(TextTable, LeavesOutSeparatorsAtTheEnds) {
   EXPECT_EQ(read("x;z;\n1;2;\n2;3;\n").largest().columns.size(), 2u);
   EXPECT_EQ(read("1,2,\n2,3,\n").largest().columns.size(), 2u);

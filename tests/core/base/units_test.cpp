@@ -51,6 +51,12 @@ TEST(Units, OtherUnitsHaveTheirSize) {
   EXPECT_DOUBLE_EQ(typed("1 bar", "Pa"), 1e5);
   EXPECT_DOUBLE_EQ(typed("1 psi", "Pa"), 6894.757293168361);
   EXPECT_DOUBLE_EQ(typed("2 N/mm\u00B2", "Pa"), 2e6);
+  EXPECT_DOUBLE_EQ(typed("3 daN/cm\u00B2", "Pa"), 3e5);
+  EXPECT_DOUBLE_EQ(typed("3 daN/mm2", "Pa"), 3e7);
+  EXPECT_DOUBLE_EQ(typed("2 kp/cm^2", "Pa"), 196133);
+  EXPECT_DOUBLE_EQ(typed("2 kgf/mm2", "Pa"), 19613300);
+  EXPECT_DOUBLE_EQ(typed("1 lbf/in\u00B2", "Pa"), 6894.757293168361);
+  EXPECT_DOUBLE_EQ(typed("4 daN", "N"), 40);
   EXPECT_DOUBLE_EQ(typed("2 min", "s"), 120);
   EXPECT_DOUBLE_EQ(typed("1 kgf", "N"), 9.80665);
   EXPECT_DOUBLE_EQ(typed("3 %", ""), 0.03);
@@ -131,8 +137,8 @@ TEST(Units, MayHaveAPowerOfTenInFront) {
 /// Messages name what is read.
 TEST(Units, AreListedFromTheirTable) {
   EXPECT_EQ(unitNames("Pa"),
-            "Pa, kPa, MPa, GPa, N/m2, N/mm2, N/cm2, kN/m2, kgf/cm2, dyn/cm2, Torr, bar, mbar, "
-            "atm, psi, ksi");
+            "Pa, kPa, MPa, GPa, N/m2, N/mm2, N/cm2, kN/m2, daN/cm2, daN/mm2, kgf/cm2, kgf/mm2, "
+            "dyn/cm2, Torr, bar, mbar, atm, psi, ksi");
   EXPECT_EQ(unitNames("m/s"),
             "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, knots, m/min, cm/min, mm/min, "
             "in/min, ft/min");
