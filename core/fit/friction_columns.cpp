@@ -33,9 +33,11 @@ constexpr QuantityNames kKnownNames[] = {
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
      "velocidade velocidadededeslizamento snelheid glijsnelheid pr\u0119dko\u015B\u0107 "
      "\uC18D\uB3C4 "
-     "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
+     "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6 "
+     "\u6ED1\u52A8\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
-     "mu mue m\u00FC \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
+     "mu mue m\u00FC \u00B5 \u03BC cof friction frictionfactor frictioncoefficient frictioncoeff "
+     "frictioncoef "
      "coefficientoffriction coeffoffriction coefoffriction coefficient reibwert "
      "reibungszahl reibbeiwert reibungskoeffizient muk mukin mukinetic mudyn mudynamic "
      "\u00B5k \u03BCk mud \u00B5d \u03BCd kineticfriction dynamicfriction slidingfriction "
@@ -45,6 +47,7 @@ constexpr QuantityNames kKnownNames[] = {
      "\u03BCgleit "
      "gleitreibung gleitreibwert gleitreibungszahl "
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
+     "coefficientedattrito "
      "coeffdiattrito coeficientedefricci\u00F3n coeficientedefriccion coeficientederozamiento "
      "coeficientedeatrito wrijvingsco\u00EBffici\u00EBnt wrijvingscoefficient "
      "wsp\u00F3\u0142czynniktarcia "
@@ -52,8 +55,9 @@ constexpr QuantityNames kKnownNames[] = {
     {Quantity::Force, "normal force",
      "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
-     "vertikallast forcenormale chargenormale forzanormale caricoverticale fuerzanormal "
-     "carganormal charge carico carga \u8377\u91CD \u5782\u76F4\u8377\u91CD"},
+     "vertikallast forcenormale chargenormale forzanormale cariconormale caricoverticale "
+     "fuerzanormal normaalkracht "
+     "carganormal charge carico carga \u8377\u91CD \u5782\u76F4\u8377\u91CD \u6CD5\u5411\u529B"},
     {Quantity::Pressure, "nominal pressure",
      "nominalpressure pressure contactpressure normalpressure nominalcontactpressure normalstress "
      "pression pressione presion presi\u00F3n \u9762\u5727 p p0 pn pnom sigma \u03C3 sigma0 "

@@ -191,11 +191,20 @@ std::string withoutFillers(std::string_view text) {
   return kept;
 }
 
-/// Returns whether a statement may be about the weight that presses the rubber: "Weight: 5 kg".
-bool isDeadWeight(std::string_view key, std::string_view unit) {
-  return plainWord(unit) == "kg" &&
-         isOneOf(plainWord(key),
-                 "weight deadweight mass gewicht auflagegewicht auflast masse belastung");
+/// Returns the load or temperature that a statement may be about, by its unit, its name or the last
+/// word of its name: "Line load: 30 N/m". A weight in kilograms may be the one that presses the
+/// rubber.
+std::optional<FrictionQuantity> possibleQuantity(const std::string& name, const std::string& unit,
+                                                 const Value& value) {
+  if (const auto ofUnit = quantityOfUnit(unit)) return ofUnit;
+  if (const auto named = findMeaning(name, unit); isLoad(named)) return named;
+  if (plainWord(value.remark.empty() ? unit : value.remark) == "kg" &&
+      isOneOf(plainWord(name), "weight deadweight mass gewicht auflagegewicht masse"))
+    return FrictionQuantity::Force;
+  const std::vector<std::string> words = nameWords(name);
+  const auto ofLastWord = words.size() > 1 ? quantityInText(words.back()) : std::nullopt;
+  const bool hasUnit = !(value.unit + value.remark).empty();
+  return hasUnit && isLoad(ofLastWord) ? ofLastWord : std::nullopt;
 }
 
 /// Reads one statement, such as "Load = 30 N", "T 23 °C" and "Conditions: p [MPa] = 0.2". Nothing
@@ -221,26 +230,14 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   TextColumn name = parseColumnName(withoutFillers(key));
   if (name.name.empty()) return {};
   const std::string& unit = value->unit.empty() ? name.unit : value->unit;
-  const auto named = findMeaning(name.name, unit);
-  const bool isLoadName = isLoad(named);
-  // "Line load: 30 N/m"
-  const std::vector<std::string> keyWords = nameWords(name.name);
-  const auto ofLastWord = keyWords.size() > 1 ? quantityInText(keyWords.back()) : std::nullopt;
-  const bool mayBeLoad = isLoad(ofLastWord) && !(value->unit + value->remark).empty();
+  HeaderStatement statement;
+  statement.candidate = possibleQuantity(name.name, unit, *value);
   // "Temperature: 23 °C (rubber)"
   const std::string remark = withoutFillers(value->remark);
   if (!remark.empty()) name.name += " " + remark;
-  const auto quantity = findMeaning(name.name, unit), ofUnit = quantityOfUnit(unit);
+  const auto quantity = findMeaning(name.name, unit);
   const bool isVelocity = quantity == FrictionQuantity::Velocity;
-  const bool mayBeWeight = isDeadWeight(key, value->remark);
-  if (quantity ? !isLoad(quantity) && !isVelocity
-               : !isLoadName && !ofUnit && !mayBeLoad && !mayBeWeight)
-    return {};
-  HeaderStatement statement;
-  statement.candidate = ofUnit        ? ofUnit
-                        : isLoadName  ? named
-                        : mayBeWeight ? FrictionQuantity::Force
-                                      : ofLastWord;
+  if (quantity ? !isLoad(quantity) && !isVelocity : !statement.candidate) return {};
   const std::vector<std::string> headings = nameWords(std::string(front));
   const bool isOfTable =
       std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;

@@ -222,6 +222,15 @@ class FrictionRoleFinder {
     }
   }
 
+  /// Returns whether a column may have a load or temperature by its unit, or by the first or last
+  /// word of its name.
+  static bool mayBe(const TextColumn& column, Quantity quantity) {
+    const std::vector<std::string> words = nameWords(column.name);
+    return measures(column.unit, quantity) ||
+           (words.size() > 1 && (quantityInText(words.front()) == quantity ||
+                                 quantityInText(words.back()) == quantity));
+  }
+
   /// Throws InputError for bounds of a quantity, and for a load or temperature, by its name or its
   /// unit, that is not understood while no other column gives it: leaving these out would change
   /// the result.
@@ -240,7 +249,7 @@ class FrictionRoleFinder {
           message("column {}: it is not known how many standard errors this is; give one standard "
                   "error as mu_error, or take the column out",
                   shortened(column.name)));
-    if (column.name == "s" && column.unit.empty() && !roles_.find(Quantity::MuError))
+    if (column.name == "s" && isPureUnit(column.unit) && !roles_.find(Quantity::MuError))
       refuse(
           "column s: is it the standard deviation of the coefficient of friction? Name it "
           "std, or take the column out");
@@ -262,10 +271,15 @@ class FrictionRoleFinder {
                   shortened(column.name), Message(meaningOf(*named))));
     if (isErrorName(column.name) || isOtherLoad(words)) return;
     for (const Quantity quantity : kLoadsAndTemperature) {
-      if (roles_.isGiven(quantity)) continue;
-      const bool isNamed = words.size() > 1 && (quantityInText(words.front()) == quantity ||
-                                                quantityInText(words.back()) == quantity);
-      if (!measures(column.unit, quantity) && !isNamed) continue;
+      if (roles_.isGiven(quantity) || !mayBe(column, quantity)) continue;
+      const auto other =
+          std::find_if(std::next(&column), block_.columns.data() + block_.columns.size(),
+                       [&](const TextColumn& one) { return !one.isText && mayBe(one, quantity); });
+      if (other != block_.columns.data() + block_.columns.size())
+        refuse(
+            message("columns {} and {}: each may be the {}; give one such column, and a row "
+                    "for each measurement of mu",
+                    shortened(column.name), shortened(other->name), Message(meaningOf(quantity))));
       if (quantity == Quantity::Temperature)
         refuse(
             message("column {}: is it the temperature of the rubber, and not of the track or "

@@ -118,7 +118,7 @@ TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_DOUBLE_EQ(parsed("v (m/s),mu (%)\n1,20\n2,30\n").points[0].mu, 0.2);
   EXPECT_DOUBLE_EQ(parsed("log10 v (m/s),mu\n-3,0.2\n-2,0.3\n").points[1].velocity, 1e-2);
   EXPECT_THAT(errorOf("v (m/s),mu,load (g)\n1,0.2,5\n2,0.3,5\n"),
-              HasSubstr("the unit g is unknown; known are N, kgf, gf, lbf, mN, uN, kN"));
+              HasSubstr("the unit g is unknown; known are N, daN, kgf, gf, lbf, mN, uN, kN"));
   EXPECT_THAT(errorOf("v (furlongs),mu\n1,0.2\n2,0.3\n"),
               HasSubstr("the unit furlongs is unknown"));
   EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
@@ -438,6 +438,24 @@ TEST(FrictionData, ReadsNamesWithTheirSymbol) {
         << line;
 }
 
+TEST(FrictionData, AsksWhatAColumnNamedSIs) {
+  for (const char* names : {"v (m/s),mu,s", "v,mu,s\nm/s,-,-"})
+    EXPECT_THAT(errorOf(std::string(names) + "\n1,0.2,0.01\n2,0.3,0.01\n"),
+                HasSubstr("column s: is it the standard deviation"));
+  EXPECT_EQ(parsed("t,v,mu\ns,m/s,1\n1,1,0.2\n2,2,0.3\n").points.size(), 2U);
+}
+
+TEST(FrictionData, KnowsMoreNames) {
+  for (const char* names :
+       {"v [mm/s];Reibwert \u00B5;F_N [N]", "v [mm/s];Reibungszahl \u03BC;Carico normale [N]",
+        "Sliding Speed [mm/s];Friction Factor;Normaalkracht [N]"}) {
+    const FrictionData data = parsed(std::string(names) + "\n1;0,4;50\n10;0,5;50\n");
+    ASSERT_EQ(data.points.size(), 2U) << names;
+    EXPECT_EQ(data.points[0].mu, 0.4);
+    EXPECT_EQ(data.points[0].normalForce, 50);
+  }
+}
+
 /// A load or temperature that is not understood is refused; other forces and stresses are left out.
 TEST(FrictionData, RefusesLoadsAndTemperaturesThatMayBeMeant) {
   for (const char* name : {"T_track (\u00B0C)", "T_road (\u00B0C)", "T_air [K]"})
@@ -446,6 +464,10 @@ TEST(FrictionData, RefusesLoadsAndTemperaturesThatMayBeMeant) {
         << name;
   EXPECT_THAT(errorOf("v (m/s),mu,Gewicht (N)\n1,0.2,20\n2,0.3,20\n"),
               HasSubstr("column Gewicht: is it the normal force?"));
+  for (const char* names : {"v (mm/s);Load 1 (N);Load 2 (N);mu", "v (mm/s);Load 1;Load 2;mu"})
+    EXPECT_THAT(errorOf(std::string(names) + "\n1;20;30;0.5\n10;20;30;0.6\n"),
+                HasSubstr("columns Load 1 and Load 2: each may be the normal force; give one such "
+                          "column, and a row for each measurement of mu"));
   EXPECT_THAT(errorOf("v (m/s),mu,inflation (bar)\n1,0.2,2\n2,0.3,2\n"),
               HasSubstr("column inflation: is it the nominal pressure?"));
   for (const char* name :

@@ -307,9 +307,19 @@ TEST(FrictionHeader, ReadsAListOfNamesAndValues) {
               HasSubstr("may state the normal force"));
 }
 
+TEST(FrictionHeader, ReadsARowOfConditions) {
+  const FrictionData data =
+      parsed("Load (N),Temperature (C)\n50,23\n\nv (mm/s),mu\n1,0.4\n10,0.5\n");
+  ASSERT_EQ(data.points.size(), 2U);
+  EXPECT_EQ(data.points[1].normalForce, 50);
+  EXPECT_DOUBLE_EQ(data.points[1].temperature, 296.15);
+  EXPECT_THAT(errorOf("Weight (kg);T (C)\n5;23\n\nv (mm/s);mu\n1;0.4\n10;0.5\n"),
+              HasSubstr("may state the normal force"));
+}
+
 /// A weight may be the load; that of a sample is not.
 TEST(FrictionHeader, DoesNotDropAWeight) {
-  for (const char* line : {"Weight: 5 kg", "Dead weight = 5 kg", "Masse;5 kg"})
+  for (const char* line : {"Weight: 5 kg", "Dead weight = 5 kg", "Masse;5 kg", "Weight [kg]: 5"})
     EXPECT_THAT(errorOf(std::string(line) + "\nv (mm/s);mu\n1;0,3\n10;0,4\n"),
                 HasSubstr("may state the normal force"))
         << line;
