@@ -67,9 +67,10 @@ std::optional<MaterialLines> materialWithSeries(const KeywordFile& file) {
         found.end = i;
     }
     if (!isKeyword(line, "*viscoelastic")) continue;
-    if (!has(line, "time=prony"))
+    if (!has(line, "time=prony") && !has(line, "frequency=prony"))
       throw InputError(file.name, line.key(),
-                       "is not TIME=PRONY; a table of frequencies and moduli is read as such");
+                       "is neither TIME=PRONY nor FREQUENCY=PRONY; a table of frequencies and "
+                       "moduli is read as such");
     if (series)
       throw InputError(file.name, line.key(),
                        "is a second *VISCOELASTIC; keep the material that is meant alone");
@@ -127,19 +128,31 @@ ModulusForm modulusForm(const KeywordLine& keyword, const std::string& name) {
   const ShearModulus first = [](const KeywordLine& data, const std::string& file) {
     return 2 * numberAt(data, 0, file);
   };
+  const ShearModulus firstTwo = [](const KeywordLine& data, const std::string& file) {
+    return 2 * (numberAt(data, 0, file) + numberAt(data, 1, file));
+  };
+  // W = sum 2 mu_i / alpha_i^2 (...): G = sum mu_i.
+  const ShearModulus ogden = [](const KeywordLine& data, const std::string& file) {
+    return numberAt(data, 0, file);
+  };
+  const ShearModulus ogdenOfTwo = [](const KeywordLine& data, const std::string& file) {
+    return numberAt(data, 0, file) + numberAt(data, 2, file);
+  };
+  const double terms = numberParameter(keyword, "n=").value_or(1);
   if (!has(keyword, "testdatainput")) {
     if (has(keyword, "neohooke")) return {first, 2};
     if (has(keyword, "yeoh")) return {first, 6};
-    if (has(keyword, "mooney-rivlin"))
-      return {[](const KeywordLine& data, const std::string& file) {
-                return 2 * (numberAt(data, 0, file) + numberAt(data, 1, file));
-              },
-              3};
+    if (has(keyword, "mooney-rivlin")) return {firstTwo, 3};
+    if (has(keyword, "polynomial") && terms == 1) return {firstTwo, 3};
+    if (has(keyword, "reducedpolynomial") && terms <= 3)
+      return {first, 2 * static_cast<std::size_t>(terms)};
+    if (has(keyword, "ogden") && terms == 1) return {ogden, 3};
+    if (has(keyword, "ogden") && terms == 2) return {ogdenOfTwo, 6};
   }
   throw InputError(name, keyword.key(),
                    "has a hyperelastic form whose shear modulus is not read; NEO HOOKE, "
-                   "MOONEY-RIVLIN and YEOH with their constants are, or give "
-                   "--equilibrium-modulus");
+                   "MOONEY-RIVLIN, YEOH, POLYNOMIAL (N=1), REDUCED POLYNOMIAL (N=1 to 3) and OGDEN "
+                   "(N=1 or 2) with their constants are, or give --equilibrium-modulus");
 }
 
 /// Returns the moduli of a material; nothing where it has none. Throws InputError where it has two

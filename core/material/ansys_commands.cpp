@@ -19,6 +19,7 @@ struct AnsysTable {
   TemperatureRows rows{};
   std::vector<std::vector<double>> data{};
   std::vector<std::size_t> lines{};  // of the last data of each row
+  std::size_t next = 0;              // the place after the last constant
   std::string option{};              // "neo"
   KeywordLine command{};
 };
@@ -156,10 +157,12 @@ class AnsysReader {
     table.rows.temperatures.push_back(temperature);
     table.data.emplace_back();
     table.lines.push_back(line.number);
+    table.next = 0;
   }
 
   void addData(const KeywordLine& line, AnsysTable& table) const {
-    const double start = numberAt(line, 1, file_.name);
+    const double start =
+        line.word(1).empty() ? static_cast<double>(table.next + 1) : numberAt(line, 1, file_.name);
     if (!(start >= 1 && start <= 200))
       throw InputError(file_.name, line.key(), "begins at a place that is outside 1 to 200");
     if (table.data.empty()) {
@@ -174,6 +177,7 @@ class AnsysReader {
       if (line.words[i].empty()) continue;
       data.resize(std::max(data.size(), index + 1), RawSeries::kNotStated);
       data[index] = numberAt(line, i, file_.name);
+      table.next = index + 1;
     }
   }
 

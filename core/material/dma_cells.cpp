@@ -94,8 +94,8 @@ std::vector<double> numbersInNames(const TextBlock& block, char decimal) {
 }
 
 /// Returns the table of which each row is a column of this one: names stand in the first column,
-/// and the line of names is a row, too, or numbers the points. Nothing where the rows are no moduli
-/// over a frequency.
+/// and the line of names is a row, too, or numbers the points. Nothing where the table is another
+/// one.
 std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
   if (block.columns.size() < 3 || !block.columns.front().isText) return {};
   const std::vector<double> first = numbersInNames(block, decimal);
@@ -105,25 +105,17 @@ std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
   made.rows = first.size();
   made.lines.assign(made.rows, block.lines.front());
   std::vector<std::vector<double>> columns;
-  std::size_t moduli = 0;
-  bool hasFrequency = false;
   const auto add = [&](TextColumn name, std::vector<double> numbers) {
-    const DmaQuantity quantity = dmaColumn(name.name, name.unit).quantity;
-    moduli += isMeasured(quantity) ? 1 : 0;
-    hasFrequency = hasFrequency || quantity == DmaQuantity::Frequency;
     name.isText = false;
     made.columns.push_back(std::move(name));
     columns.push_back(std::move(numbers));
   };
-  if (const TextColumn& name = block.columns.front();
-      dmaColumn(name.name, name.unit).quantity != DmaQuantity::None)
-    add(name, first);
+  add(block.columns.front(), first);
   for (std::size_t row = 0; row < block.rows; ++row) {
     std::vector<double> numbers;
     for (std::size_t i = 1; i < block.columns.size(); ++i) numbers.push_back(block.at(row, i));
     add(parseColumnName(block.texts.front()[row]), std::move(numbers));
   }
-  if (!hasFrequency || moduli < 2) return {};
   for (std::size_t row = 0; row < made.rows; ++row)
     for (const std::vector<double>& column : columns) made.values.push_back(column[row]);
   made.texts.resize(columns.size());
@@ -133,10 +125,11 @@ std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
 
 }  // namespace
 
-void transposeRows(TextTable& table, std::vector<Message>& notes) {
+void transposeRows(TextTable& table, const std::function<bool(const TextBlock&)>& isTable,
+                   std::vector<Message>& notes) {
   for (TextBlock& block : table.blocks) {
     auto made = transposed(block, table.dialect.decimal);
-    if (!made) continue;
+    if (!made || !isTable(*made)) continue;
     block = std::move(*made);
     notes.emplace_back("the table has one row for each quantity, and its columns are the points");
   }

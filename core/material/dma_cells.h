@@ -2,6 +2,7 @@
 // complex numbers. Pure; any thread. Failure: InputError that names the file and the row.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,10 @@
 
 namespace asperity {
 
-/// Makes columns of the rows of a table of moduli that has one row for each quantity, with a note.
-void transposeRows(TextTable& table, std::vector<Message>& notes);
+/// Makes columns of the rows of a table that has one row for each quantity, with a note. isTable:
+/// whether the caller knows the columns.
+void transposeRows(TextTable& table, const std::function<bool(const TextBlock&)>& isTable,
+                   std::vector<Message>& notes);
 
 /// Leaves each cell with a number alone: its unit becomes that of the column, the parts of complex
 /// numbers become two columns, "G* real part" and "G* imaginary part", and errors are dropped,

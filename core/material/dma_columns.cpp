@@ -193,7 +193,8 @@ bool isOfDeviation(std::string_view name, const std::vector<std::string>& words)
 /// Returns whether a word is made of those that name moduli and how they were measured.
 bool isMadeOfKnownWords(std::string_view word) {
   constexpr WordList kParts(
-      "storage loss modulus moduli module modul mod shear youngs young tensile tension torsional "
+      "storage loss modulus moduli module modul mod dyn shear youngs young tensile tension "
+      "torsional "
       "torsion compression compressive bending bend flexural complex dynamic elastic viscous real "
       "imaginary imag part phase absolute abs magnitude mag star prime double tangent tan delta "
       "factor damping angle lag shifted shift speicher verlust schub zug biege komplexer komplex "
@@ -237,7 +238,8 @@ std::string unknownWords(std::string_view name) {
     if ((mayBeM && word == "m") ||
         isOneOf(word,
                 "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
-                "dprime gstar estar greal ereal gimag eimag gstorage estorage gloss eloss lossg "
+                "dprime gdoubleprime edoubleprime gstar estar greal ereal gimag eimag gstorage "
+                "estorage gloss eloss lossg "
                 "losse log lg ln log10 de di j") ||
         isMadeOfKnownWords(withoutGluedSymbol(word)))
       continue;

@@ -282,6 +282,48 @@ class Reader {
   std::vector<RowOrigin> origins_{};  // of the rows
 };
 
+/// Returns whether a table has moduli over a frequency.
+bool isSweep(const TextBlock& block) {
+  std::size_t moduli = 0;
+  bool hasFrequency = false;
+  for (const TextColumn& column : block.columns) {
+    const DmaQuantity quantity = dmaColumn(column.name, column.unit).quantity;
+    moduli += isMeasured(quantity) ? 1 : 0;
+    hasFrequency = hasFrequency || quantity == Frequency;
+  }
+  return hasFrequency && moduli >= 2;
+}
+
+/// Replaces the periods of an oscillation, "Period (s)", by its frequencies, with a note, in tables
+/// without frequencies.
+void invertPeriods(TextTable& table, std::vector<Message>& notes) {
+  for (TextBlock& block : table.blocks) {
+    const auto quantityOf = [](const TextColumn& column) {
+      return dmaColumn(column.name, column.unit).quantity;
+    };
+    const auto isPeriod = [](const TextColumn& column) {
+      return isOneOf(compactName(column.name),
+                     "period periode periodo oscillationperiod periodendauer schwingungsdauer") &&
+             unitSize(column.unit, "s");
+    };
+    const auto period = std::ranges::find_if(block.columns, isPeriod);
+    if (period == block.columns.end() ||
+        std::ranges::any_of(block.columns, [&](const TextColumn& column) {
+          return quantityOf(column) == Frequency || quantityOf(column) == ReducedFrequency;
+        }))
+      continue;
+    const double size = *unitSize(period->unit, "s");
+    notes.push_back(message("{} is a period of the oscillation: the frequency is 1 over it",
+                            Message::name(shortened(period->name))));
+    *period = {"frequency", "Hz"};
+    const auto index = static_cast<std::size_t>(period - block.columns.begin());
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      double& value = block.values[row * block.columns.size() + index];
+      value = 1 / (value * size);
+    }
+  }
+}
+
 /// Reads the shift beside moduli at one temperature; isotherms have their own.
 void readShift(const TextTable& table, const std::string& name, const DmaChoices& choices,
                DmaFile& file) {
@@ -325,10 +367,11 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
   std::vector<Message> ofCells;
-  transposeRows(table, ofCells);
+  transposeRows(table, isSweep, ofCells);
   separateCells(table, name, ofCells);
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
+  if (choices.frequencyColumn.empty()) invertPeriods(table, ofCells);
   DmaFile file = Reader(table, name, choices).read();
   readShift(table, name, choices, file);
   std::ranges::move(doubtsAbout(table), std::back_inserter(file.facts.notes));

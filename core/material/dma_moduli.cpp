@@ -27,9 +27,10 @@ ModulusKind kindOfWords(bool isShear, bool isTension) {
   return isShear ? ModulusKind::Shear : ModulusKind::Tension;
 }
 
-/// Returns the kind of moduli of the geometry or the instrument that a line states: "Geometry:
-/// Tension: Film", "Geometry: Parallel plate", "Messsystem: PP25", "Instrument: ARES-G2 rheometer".
-/// A DMA measures both kinds, and so does a rheometer with a second drive.
+/// Returns the kind of moduli of the geometry, the mode or the instrument that a line states:
+/// "Geometry: Tension: Film", "Deformation mode: shear", "Geometry: Parallel plate", "Messsystem:
+/// PP25", "Instrument: ARES-G2 rheometer". A DMA measures both kinds, and so does a rheometer with
+/// a second drive.
 ModulusKind kindOfLine(const TextEntry& entry) {
   const std::string line = lowerCase(joinEntry(entry));
   const auto isSystem = [](const std::string& word) {
@@ -39,9 +40,11 @@ ModulusKind kindOfLine(const TextEntry& entry) {
   if (containsOneOf(line,
                     "geometr g\u00E9om\u00E9tr clamp fixture messsystem measuringsystem "
                     "mess-system") ||
-      line.starts_with("measuring system"))
+      line.starts_with("measuring system") ||
+      containsOneOf(lowerCase(entry.key),
+                    "mode deformation verformung pr\u00FCfart beanspruchung belastungsart"))
     return kindOfWords(
-        containsOneOf(line, "shear schub torsion parallel cone sandwich") ||
+        containsOneOf(line, "shear scher schub torsion parallel cone sandwich") ||
             std::ranges::any_of(wordsIn(line), isSystem),
         containsOneOf(line, "tension tensile zug compress bend biege cantilever film"));
   const std::vector<std::string> words = wordsIn(line);

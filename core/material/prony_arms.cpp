@@ -36,6 +36,80 @@ void nameBranches(TextBlock& block, const std::string& name, const PronyChoices&
       "relaxation time in s");
 }
 
+/// The columns of one arm of a series whose arms stand side by side.
+struct ArmColumns {
+  std::size_t modulus = 0, time = 0;
+};
+
+/// Returns the arms that stand side by side in columns with numbers in their names, "G1 tau1 G2
+/// tau2"; empty where a time has no modulus, or where units differ.
+std::vector<ArmColumns> armsSideBySide(const TextBlock& block) {
+  const auto isIndexed = [&block](std::size_t i, const std::string& index, const auto& isName) {
+    const std::string word = seriesWord(block.columns[i].name);
+    const std::size_t digits = word.find_last_not_of("0123456789") + 1;
+    return word.substr(digits) == index && isName(word.substr(0, digits));
+  };
+  std::vector<ArmColumns> arms;
+  for (std::size_t time = 0; time < block.columns.size(); ++time) {
+    const std::string word = seriesWord(block.columns[time].name);
+    const std::string index = word.substr(word.find_last_not_of("0123456789") + 1);
+    if (index.empty() || !isIndexed(time, index, isRelaxationTime)) continue;
+    std::size_t modulus = 0;
+    while (modulus < block.columns.size() && !isIndexed(modulus, index, isArmModulus)) ++modulus;
+    if (modulus == block.columns.size()) return {};
+    arms.push_back({modulus, time});
+    if (block.columns[modulus].unit != block.columns[arms.front().modulus].unit ||
+        block.columns[time].unit != block.columns[arms.front().time].unit)
+      return {};
+  }
+  return arms;
+}
+
+/// Writes what a column states of the whole series as a line above the table: its equilibrium or
+/// instantaneous modulus or its temperature, and all numbers of a single row.
+void liftConstants(TextBlock& block) {
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const TextColumn& column = block.columns[i];
+    const std::string word = seriesWord(column.name);
+    const bool isOfAll = block.rows == 1 || isEquilibrium(word) || isInstantaneous(word) ||
+                         dmaColumn(column.name, column.unit).quantity == DmaQuantity::Temperature;
+    if (column.isText || !isOfAll) continue;
+    std::vector<double> numbers = block.column(i);
+    std::erase_if(numbers, [](double number) { return !std::isfinite(number); });
+    if (numbers.empty() || std::ranges::count(numbers, numbers.front()) != std::ssize(numbers))
+      continue;
+    const std::string value = plain(numbers.front()).text + " " + column.unit;
+    block.header.push_back({column.name, value, block.lines.front(), column.name + " = " + value});
+  }
+}
+
+/// Makes rows of arms that stand side by side. Throws InputError where several rows are several
+/// series.
+void stackArms(TextBlock& block, const std::string& name) {
+  const std::vector<ArmColumns> arms = armsSideBySide(block);
+  if (arms.size() < 2) return;
+  if (block.rows > 1)
+    throw InputError(name, "",
+                     message("has {} rows, each of which is a Prony series by the names of its "
+                             "columns; keep the one that is meant",
+                             block.rows));
+  const auto indexed = [](TextColumn column) {
+    column.name = std::string(withoutEnd(column.name, "0123456789_ ")) + "_i";
+    return column;
+  };
+  TextBlock made;
+  made.header = std::move(block.header);
+  made.columns = {indexed(block.columns[arms.front().time]),
+                  indexed(block.columns[arms.front().modulus])};
+  for (const auto& [modulus, time] : arms)
+    made.values.insert(made.values.end(), {block.at(0, time), block.at(0, modulus)});
+  made.rows = arms.size();
+  made.texts.resize(2);
+  made.cells.resize(2);
+  made.lines.assign(made.rows, block.lines.front());
+  block = std::move(made);
+}
+
 /// Undoes the logarithms of a table, as "log10 tau" and "lg(G/MPa)".
 void undoSeriesLogarithms(TextTable& table, const TextBlock& block, RawSeries& series) {
   const std::vector<TextColumn> before = block.columns;
@@ -65,15 +139,26 @@ bool areParts(const TextColumn& column) {
   return column.unit == "%" || partsByName(seriesWord(column.name)) != PartsOf::Unknown;
 }
 
+/// Refuses frequencies of arms, of which nobody can tell whether they are 1/tau or 1/(2 pi tau).
+[[noreturn]] void refuseFrequencies(const TextColumn& column, const std::string& name) {
+  throw InputError(name, column.name,
+                   "may be 1/tau or 1/(2 pi tau); write the arms' relaxation times, as tau (s), or "
+                   "their rates 1/tau, as omega_i (rad/s)");
+}
+
 /// Returns the columns of a series; nothing where the block is none. Throws InputError where it has
 /// a part of one.
 std::optional<SeriesColumns> seriesColumns(const TextBlock& block, const std::string& name) {
   SeriesColumns found;
   bool hasIndex = false;
+  std::optional<std::size_t> frequency;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     const TextColumn& column = block.columns[i];
     const std::string word = seriesWord(column.name);
-    if (dmaColumn(column.name, column.unit).quantity == DmaQuantity::Frequency) return {};
+    if (dmaColumn(column.name, column.unit).quantity == DmaQuantity::Frequency || word == "fi") {
+      frequency = i;
+      continue;
+    }
     const std::string_view bare =
         std::string_view(column.name).substr(0, column.name.find_first_of("(["));
     if (!found.time && (isRelaxationTime(word) || isRelaxationTime(seriesWord(bare)))) {
@@ -86,6 +171,10 @@ std::optional<SeriesColumns> seriesColumns(const TextBlock& block, const std::st
       hasIndex = hasIndex || hasArmIndex(word);
     }
   }
+  // A sweep has no moduli with an index.
+  if (frequency && (found.time || !found.modulus || !hasIndex)) return {};
+  if (frequency && isDecayRate(seriesWord(block.columns[*frequency].name))) found.time = frequency;
+  if (frequency && !found.time) refuseFrequencies(block.columns[*frequency], name);
   if (found.time && (found.modulus || found.viscosity)) return found;
   // No other table has moduli or viscosities with an index; elsewhere both may be those of a fluid.
   // Parts of a modulus give no time.
@@ -149,10 +238,12 @@ double timeSizeOf(const TextColumn& column, const TextTable& table, const TextBl
 }
 
 /// Returns the size in 1/s of the unit of a column of decay rates. Throws InputError where it is
-/// not known: a beta without a unit may be a time.
+/// not known: a beta without a unit may be a time, and an omega in Hz a frequency.
 double rateSizeOf(const TextColumn& column, const std::string& name) {
-  const std::string unit = writtenUnit(column);
-  if (isOneOf(lowerCase(unit), "1/s s-1 s^-1 s\u207B\u00B9 rad/s hz")) return 1;
+  const std::string unit = lowerCase(writtenUnit(column));
+  if (isOneOf(unit, "1/s s-1 s^-1 s\u207B\u00B9 rad/s")) return 1;
+  if (unit == "hz" && seriesWord(column.name).starts_with("omega")) refuseFrequencies(column, name);
+  if (unit == "hz") return 1;
   if (unit.starts_with("1/"))
     if (const auto size = timeSize(unit.substr(2))) return 1 / *size;
   throw InputError(name, column.name,
@@ -348,6 +439,8 @@ double modulusSize(const std::string& unit, const std::string& name, const std::
 std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std::string& name,
                                    const PronyChoices& choices, RawSeries& series) {
   nameBranches(block, name, choices, series);
+  liftConstants(block);
+  stackArms(block, name);
   undoSeriesLogarithms(table, block, series);
   const std::optional<SeriesColumns> columns = seriesColumns(block, name);
   if (!columns) return {};

@@ -45,10 +45,11 @@ std::optional<StatedModulus> statedModulus(std::string_view clause) {
 }
 
 /// Returns the moduli that the lines around the table of a series state: above and below it, and
-/// above a table of shift factors. Other tables have headers of their own.
+/// above a table of shift factors or one without names. Other tables have headers of their own.
 std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock& block) {
-  const bool isOnly = std::ranges::all_of(
-      table.blocks, [&block](const TextBlock& one) { return &one == &block || isShiftTable(one); });
+  const bool isOnly = std::ranges::all_of(table.blocks, [&block](const TextBlock& one) {
+    return &one == &block || isShiftTable(one) || !one.hasNames();
+  });
   std::vector<StatedModulus> found;
   const auto read = [&found](const std::vector<TextEntry>& entries) {
     for (const TextEntry& entry : entries) {
@@ -205,12 +206,24 @@ void readTemperature(const TextTable& table, const TextBlock& block, const std::
   std::ranges::move(stated.notes, std::back_inserter(series.notes));
 }
 
-/// Returns the table with the most numbers that is none of shift factors; null where there is none.
+/// Returns whether a table has relaxation times and moduli of arms by the names of its columns.
+bool hasSeriesColumns(const TextBlock& block) {
+  const auto has = [&block](const auto& isName) {
+    return std::ranges::any_of(
+        block.columns, [&](const TextColumn& column) { return isName(seriesWord(column.name)); });
+  };
+  return has(isRelaxationTime) && has(isArmModulus);
+}
+
+/// Returns the table that is none of shift factors, with names where one has some, and of these the
+/// one with the most numbers; null where there is none.
 TextBlock* largestSeries(TextTable& table) {
+  const auto rank = [](const TextBlock& block) {
+    return std::pair(block.hasNames(), block.values.size());
+  };
   TextBlock* largest = nullptr;
   for (TextBlock& one : table.blocks)
-    if (!isShiftTable(one) && (!largest || one.values.size() > largest->values.size()))
-      largest = &one;
+    if (!isShiftTable(one) && (!largest || rank(one) > rank(*largest))) largest = &one;
   return largest;
 }
 
@@ -219,6 +232,7 @@ TextBlock* largestSeries(TextTable& table) {
 std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
                                      const PronyChoices& choices) {
   RawSeries series;
+  transposeRows(table, hasSeriesColumns, series.notes);
   separateCells(table, name, series.notes);
   TextBlock* const block = largestSeries(table);
   if (!block) return {};
@@ -249,25 +263,27 @@ bool isEquilibrium(std::string_view word) {
 }
 
 bool isInstantaneous(std::string_view word) {
-  return isOneOf(word,
-                 "g0 e0 instantaneousmodulus shorttermmodulus glassymodulus gglassy eglassy ginst "
-                 "einst ginstantaneous einstantaneous");
+  return isOneOf(
+      word,
+      "g0 e0 gg eg instantaneousmodulus shorttermmodulus glassymodulus gglassy eglassy ginst "
+      "einst ginstantaneous einstantaneous");
 }
 
 bool isRelaxationTime(std::string_view word) {
-  return beginsWithOneOf(word, "tau relaxationtime relaxationszeit tempsderelax") ||
-         isOneOf(word, "ti times lambda lambdai beta betai");
+  return beginsWithOneOf(word, "tau lambda relaxationtime relaxationszeit tempsderelax") ||
+         isOneOf(word, "ti times") || isDecayRate(word);
 }
 
 bool isDecayRate(std::string_view word) {
-  return word.starts_with("beta");
+  return beginsWithOneOf(word, "beta omega relaxationrate relaxationsrate decayrate");
 }
 
 bool isArmModulus(std::string_view name) {
   const std::string word = seriesWord(name);
   return isOneOf(modulusLetter(name), "g gi e ei") || partsByName(word) != PartsOf::Unknown ||
          isOneOf(word,
-                 "g gi e ei modulus moduli alpha alphai gimod shearmodulus relativemodulus gk ek "
+                 "g gi e ei modulus moduli relaxationmodulus alpha alphai gimod shearmodulus "
+                 "relativemodulus gk ek "
                  "modul schubmodul");
 }
 

@@ -32,7 +32,8 @@ bool isInstantaneous(std::string_view word);
 /// Returns whether a word names relaxation times, or their inverse.
 bool isRelaxationTime(std::string_view word);
 
-/// Returns whether a word names the inverse of relaxation times, as LS-DYNA writes beta.
+/// Returns whether a word names the inverse of relaxation times: beta, as LS-DYNA writes it, or
+/// omega_i.
 bool isDecayRate(std::string_view word);
 
 /// Returns whether a column's name is that of the moduli of arms, or of parts of a modulus.

@@ -4395,12 +4395,12 @@
         <translation>Schlüsselwörter von Abaqus</translation>
     </message>
     <message>
-        <source>has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN and YEOH with their constants are, or give --equilibrium-modulus</source>
-        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO HOOKE, MOONEY-RIVLIN und YEOH mit ihren Konstanten werden es, oder --equilibrium-modulus angeben</translation>
+        <source>has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN, YEOH, POLYNOMIAL (N=1), REDUCED POLYNOMIAL (N=1 to 3) and OGDEN (N=1 or 2) with their constants are, or give --equilibrium-modulus</source>
+        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO HOOKE, MOONEY-RIVLIN, YEOH, POLYNOMIAL (N=1), REDUCED POLYNOMIAL (N=1 bis 3) und OGDEN (N=1 oder 2) mit ihren Konstanten werden es, oder --equilibrium-modulus angeben</translation>
     </message>
     <message>
-        <source>is not TIME=PRONY; a table of frequencies and moduli is read as such</source>
-        <translation>ist nicht TIME=PRONY; eine Tabelle von Frequenzen und Moduln wird als solche gelesen</translation>
+        <source>is neither TIME=PRONY nor FREQUENCY=PRONY; a table of frequencies and moduli is read as such</source>
+        <translation>ist weder TIME=PRONY noch FREQUENCY=PRONY; eine Tabelle von Frequenzen und Moduln wird als solche gelesen</translation>
     </message>
     <message>
         <source>is a second *VISCOELASTIC; keep the material that is meant alone</source>
@@ -5017,6 +5017,14 @@
     <message>
         <source>looks like the moduli of a Prony series, but there is no column of relaxation times; such a table has columns as tau (s) and G (MPa), or g_i for parts of the instantaneous modulus</source>
         <translation>sieht aus wie die Moduln einer Prony-Reihe, aber es gibt keine Spalte von Relaxationszeiten; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
+    </message>
+    <message>
+        <source>may be 1/tau or 1/(2 pi tau); write the arms&apos; relaxation times, as tau (s), or their rates 1/tau, as omega_i (rad/s)</source>
+        <translation>kann 1/tau oder 1/(2 pi tau) sein; die Relaxationszeiten der Arme angeben, als tau (s), oder ihre Raten 1/tau, als omega_i (rad/s)</translation>
+    </message>
+    <message>
+        <source>has %1 rows, each of which is a Prony series by the names of its columns; keep the one that is meant</source>
+        <translation>hat %1 Zeilen, von denen nach den Namen der Spalten jede eine Prony-Reihe ist; die gemeinte behalten</translation>
     </message>
     <message>
         <source>looks like the relaxation times of a Prony series, but there is no column of moduli; such a table has columns as tau (s) and G (MPa), or g_i for parts of the instantaneous modulus</source>
@@ -6971,6 +6979,10 @@
         <translation>Spalten mit Abweichungen und Sollwerten, nicht gelesen: %1</translation>
     </message>
     <message>
+        <source>%1 is a period of the oscillation: the frequency is 1 over it</source>
+        <translation>%1 ist eine Periodendauer der Schwingung: Die Frequenz ist 1 durch sie</translation>
+    </message>
+    <message>
         <source>and %1 seem to be the same quantity; take one of them out, or say with %2 which is meant</source>
         <translation>und %1 scheinen dieselbe Größe zu sein; eine davon herausnehmen oder mit %2 sagen, welche gemeint ist</translation>
     </message>
@@ -7005,6 +7017,10 @@
     <message>
         <source>column %1: is it the %2? Name it so alone, with its unit in brackets, or take the column out</source>
         <translation>Spalte %1: Ist das gemeint: %2? Die Spalte nur so benennen, mit ihrer Einheit in Klammern, oder sie herausnehmen</translation>
+    </message>
+    <message>
+        <source>columns %1 and %2: each may be the %3; give one such column, and a row for each measurement of mu</source>
+        <translation>Spalten %1 und %2: Jede kann %3 sein; eine solche Spalte angeben und eine Zeile für jede Messung von mu</translation>
     </message>
     <message>
         <source>%1 in %2 contradicts itself: a wave number is in rad/m, a spatial frequency in cycles/m</source>

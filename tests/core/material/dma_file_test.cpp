@@ -888,7 +888,11 @@ TEST(DmaFile, TheGeometrySaysTheKindOfModuli) {
   expectRow(film.rows[0], 293.15, 1, 2e6, 2e5);
   EXPECT_EQ(film.facts.notes.front().english(),
             "line 2 says of which kind the moduli are: Geometry Tension: Film");
-  expectRow(read("Geometry\tParallel plate\n" + table).rows[0], 293.15, 1, 6e6, 6e5);
+  for (const char* line :
+       {"Geometry\tParallel plate", "Test mode: shear", "Beanspruchungsart: Doppelscherung"})
+    expectRow(read(std::string(line) + "\n" + table).rows[0], 293.15, 1, 6e6, 6e5);
+  expectRow(read("Deformation mode: Tension\n" + table).rows[0], 293.15, 1, 2e6, 2e5);
+  EXPECT_THAT(errorOf("Mode: frequency sweep\n" + table), HasSubstr("may be of shear (G)"));
 }
 
 /// What a program writes about the shift of its master curve.

@@ -36,6 +36,25 @@ TEST(DmaForms, AMagnitudeAndOnePartGiveTheOther) {
             293.15, 1, 3e6, 1e6);
 }
 
+TEST(DmaForms, APeriodGivesTheFrequency) {
+  for (const char* text :
+       {"Period (s),T (C),G' (MPa),G'' (MPa)\n10,20,3,1\n0.1,20,4,2\n",
+        "Periodendauer [ms];T [C];G' [MPa];G'' [MPa]\n1e4;20;3;1\n100;20;4;2\n"}) {
+    const DmaFile file = read(text);
+    ASSERT_EQ(file.rows.size(), 2U) << text;
+    expectRow(file.rows[0], 293.15, 0.1, 3e6, 1e6);
+    expectRow(file.rows[1], 293.15, 10, 4e6, 2e6);
+    EXPECT_THAT(notesOf(file), Contains(HasSubstr("is a period of the oscillation")));
+  }
+  // A frequency beside it precedes.
+  expectRow(read("Period (s),f (Hz),T (C),G' (MPa),G'' (MPa)\n9,1,20,3,1\n9,10,20,4,2\n").rows[1],
+            293.15, 10, 4e6, 2e6);
+  EXPECT_THAT(errorOf("Period,T (C),G' (MPa),G'' (MPa)\n10,20,3,1\n0.1,20,4,2\n"),
+              HasSubstr("has no columns that are known as frequency"));
+  EXPECT_THAT(errorOf("Period (s),T (C),G' (MPa),G'' (MPa)\n-10,20,3,1\n0.1,20,4,2\n"),
+              HasSubstr("line 2: the frequency is -0.1, which must be above 0"));
+}
+
 TEST(DmaForms, ComplexNumbersAreTwoModuli) {
   for (const char* cells :
        {"2e6+2e5i\n3e6+4e5i", "2e6 + 2e5j\n3e6 + 4e5j", "(2e6+2e5j)\n(3e6+4e5j)",

@@ -214,7 +214,7 @@ TEST(PronyFile, AShiftThatNoSceneTakesIsRefused) {
 
 /// A part of a series, and the keywords of another program, are no table of dynamic moduli.
 TEST(PronyFile, WhatLooksLikeASeriesIsCalledOne) {
-  EXPECT_THAT(seriesError("f_i (Hz),G_i (MPa)\n1000,0.5\n0.1,1\n"),
+  EXPECT_THAT(seriesError("K_i (MPa),G_i (MPa)\n1000,0.5\n0.1,1\n"),
               HasSubstr("there is no column of relaxation times"));
   EXPECT_THAT(seriesError("tau (s),K_i (MPa)\n1000,0.5\n0.1,1\n"),
               HasSubstr("there is no column of moduli"));
@@ -358,6 +358,18 @@ TEST(PronyFile, TheModulusOfAnotherMaterialIsNone) {
               HasSubstr("line 2: states a property of the same material again"));
 }
 
+/// Without a place, TBDATA goes on behind the last constant; TB and TBTEMP begin anew.
+TEST(PronyFile, ConstantsOfAnsysFollowEachOther) {
+  expectSeries(
+      readSeries("TB,ELAS,1,1,2\nTBDATA,,12e6,0.5\nTB,PRONY,1,1,2,SHEAR\n"
+                 "TBDATA,,0.5,0.1,,,,\nTBDATA,,0.25,10\n"));
+  expectSeries(
+      readSeries("TB,ELAS,1,1,2\nTBTEMP,20\nTBDATA,,12e6,0.5\nTBTEMP,60\n"
+                 "TBDATA,,6e6,0.5\nTB,PRONY,1,1,2,SHEAR\nTBDATA,3,0.25,10\n"
+                 "TBDATA,1,0.5,0.1\n",
+                 atKelvin(293.15)));
+}
+
 /// Random input found a term with a part and without a time, which was left out, and one with
 /// neither.
 TEST(PronyFile, TermsOfAnsysAreComplete) {
@@ -365,6 +377,24 @@ TEST(PronyFile, TermsOfAnsysAreComplete) {
               HasSubstr("line 2: has no constant 4"));
   EXPECT_THAT(seriesError("MP,EX,1,12e6\nTB,PRONY,1\nTBDATA,3,0.5,0.1\n"),
               HasSubstr("line 2: has no constant 1"));
+}
+
+/// The shear modulus of a small strain is 2 (C10 + C01), or the sum of mu_i for OGDEN.
+TEST(PronyFile, HyperelasticMaterialsOfAbaqus) {
+  for (const char* form :
+       {"NEO HOOKE\n5e5, 1e-9", "MOONEY-RIVLIN\n4e5, 1e5, 1e-9", "YEOH\n5e5, 0., 0., 1e-9, 0., 0.",
+        "POLYNOMIAL\n4e5, 1e5, 1e-9", "REDUCED POLYNOMIAL, N=2\n5e5, 3., 1e-9, 0.",
+        "OGDEN\n1e6, 3., 1e-9", "OGDEN, N=2\n7e5, 2., 3e5, -2., 1e-9, 0."})
+    expectSeries(readSeries("*HYPERELASTIC, " + std::string(form) + "\n" + kSeries));
+  for (const char* form : {"OGDEN, N=3\n7e5, 2., 2e5, -2., 1e5, 3., 0., 0.\n0.",
+                           "POLYNOMIAL, N=2\n4e5, 1e5, 0., 0., 0., 1e-9, 0.", "VAN DER WAALS\n1e6"})
+    EXPECT_THAT(seriesError("*HYPERELASTIC, " + std::string(form) + "\n" + kSeries),
+                HasSubstr("has a hyperelastic form whose shear modulus is not read"));
+  expectSeries(
+      readSeries("*HYPERELASTIC, NEO HOOKE\n5e5, 1e-9\n*VISCOELASTIC, FREQUENCY=PRONY\n"
+                 "0.5, 0., 0.1\n0.25, 0., 10.\n"));
+  EXPECT_THAT(seriesError("*VISCOELASTIC, FREQUENCY=TABULAR\n1., 2., 3., 4., 5.\n"),
+              HasSubstr("is neither TIME=PRONY nor FREQUENCY=PRONY"));
 }
 
 /// The constants of TB,HYPER are those of a sudden deformation: mu for NEO, 2 (C10 + C01) else.
@@ -403,7 +433,7 @@ TEST(PronyFile, AChosenModulusReplacesOneThatIsNotRead) {
       readSeries("TB,ELASTIC,1,1,9,OELM\nTBDATA,1,12e6,12e6,12e6\nTB,PRONY,1,1,2,SHEAR\n"
                  "TBDATA,1,0.5,0.1,0.25,10\n",
                  choices));
-  expectSeries(readSeries("*HYPERELASTIC, OGDEN\n4e5, 2., 1e-9\n" + kSeries, choices));
+  expectSeries(readSeries("*HYPERELASTIC, VAN DER WAALS\n4e5, 2., 1e-9\n" + kSeries, choices));
   expectSeries(readSeries("*ELASTIC, DEPENDENCIES=1\n4e5, 0.5, , 1.\n" + kSeries, choices));
   EXPECT_THAT(seriesError("*HYPERELASTIC, NEO HOOKE, TEST DATA INPUT\n1e5, 0.1\n" + kSeries),
               HasSubstr("with their constants are, or give --equilibrium-modulus"));

@@ -173,6 +173,71 @@ TEST(PronyTable, RatesHaveTheirOwnUnit) {
               HasSubstr("beta_i: may be a rate or a time; write its unit, as 1/s"));
 }
 
+TEST(PronyTable, AngularRatesAreReadAndFrequenciesAreAmbiguous) {
+  for (const char* names : {"omega_i (rad/s)", "\u03C9_i (1/s)", "omega (rad/s)"})
+    expectSeriesNearly(
+        readSeries("G_inf = 1 MPa\n" + std::string(names) + ",G_i (MPa)\n10,2\n0.1,1\n"));
+  expectSeriesNearly(readSeries("G_inf = 1 MPa\nrelaxation rate (1/s);G (MPa)\n10;2\n0.1;1\n"));
+  for (const char* names : {"f_i (Hz)", "frequency (Hz)", "omega_i (Hz)"})
+    EXPECT_THAT(seriesError("G_inf = 1 MPa\n" + std::string(names) + ",G_i (MPa)\n10,2\n0.1,1\n"),
+                HasSubstr("may be 1/tau or 1/(2 pi tau)"));
+}
+
+TEST(PronyTable, ArmsMayStandSideBySide) {
+  for (const char* text :
+       {"Compound;G_inf (MPa);G1 (MPa);tau1 (s);G2 (MPa);tau2 (s)\nA12;1;2;0.1;1;10\n",
+        "G_1 [MPa];G_2 [MPa];\u03C4_1 [s];\u03C4_2 [s];Ginf [MPa]\n2;1;0,1;10;1\n",
+        "G0 (MPa),g1,tau1 (s),g2,tau2 (s)\n4,0.5,0.1,0.25,10\n",
+        "E_inf (MPa),E1 (MPa),tau1 (s),E2 (MPa),tau2 (s)\n3,6,0.1,3,10\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text));
+  }
+  const auto file =
+      readSeries("T (\u00B0C),Ginf (MPa),G1 (MPa),tau1 (s),G2 (MPa),tau2 (s)\n20,1,2,0.1,1,10\n");
+  expectSeriesNearly(file);
+  EXPECT_NEAR(file->temperature.value_or(0), 293.15, 1e-9);
+  const auto shifted = readSeries(
+      "Tref (C);C1;C2 (K);Ginf (MPa);G1 (MPa);tau1 (s);G2 (MPa);tau2 (s)\n20;8;100;1;2;0.1;1;10\n");
+  expectSeriesNearly(shifted);
+  EXPECT_EQ(shifted->shift, (TemperatureShift{8, 100, 293.15}));
+  EXPECT_THAT(seriesError("name,G_inf (MPa),G1 (MPa),tau1 (s),G2 (MPa),tau2 (s)\n"
+                          "NR,1,2,0.1,1,10\nBR,1,3,0.1,1,10\n"),
+              HasSubstr("has 2 rows, each of which is a Prony series"));
+  EXPECT_THAT(seriesError("G1 (MPa),tau1 (s),G2 (kPa),tau2 (s)\n2,0.1,1,10\n"),
+              HasSubstr("looks like the relaxation times of a Prony series"));
+}
+
+TEST(PronyTable, RowsMayBeTheQuantities) {
+  for (const char* text : {"i;1;2\nG_i (MPa);2;1\n\u03C4_i (s);0,1;10\nG_inf (MPa);1;\n",
+                           "# E0 = 12 MPa\nterm,1,2\ng_i,0.5,0.25\ntau_i (s),0.1,10\n",
+                           "# G_inf = 1 MPa\ntau (s);0.1;10\nG (MPa);2;1\n"}) {
+    SCOPED_TRACE(text);
+    const auto file = readSeries(text);
+    expectSeriesNearly(file);
+    EXPECT_THAT(seriesNotes(file),
+                testing::Contains("the table has one row for each quantity, and its columns are "
+                                  "the points"));
+  }
+}
+
+TEST(PronyTable, AModulusOfTheWholeSeriesMayBeAColumn) {
+  for (const char* rows : {"0.1;2;1\n10;1;1\n", "0.1;2;1\n10;1;\n"})
+    expectSeriesNearly(readSeries("tau_i (s);G_i (MPa);G_inf (MPa)\n" + std::string(rows)));
+  EXPECT_THAT(seriesError("tau_i (s);G_i (MPa);G_inf (MPa)\n0.1;2;1\n10;1;3\n"),
+              HasSubstr("equilibrium modulus: is not above 0"));
+}
+
+TEST(PronyTable, OtherNamesAreRead) {
+  expectSeriesNearly(readSeries("G_g = 4 MPa\ng_i,lambda_k (s)\n0.5,0.1\n0.25,10\n"));
+  expectSeriesNearly(
+      readSeries("G_inf = 1 MPa\nRelaxation time (s),Relaxation modulus (MPa)\n0.1,2\n10,1\n"));
+}
+
+/// A list of numbers that say nothing is no table, even where it has more numbers.
+TEST(PronyTable, AListOfNumbersAboveTheTableIsPassedOver) {
+  expectSeries(readSeries("G_inf = 1 MPa\n20\n30\n40\n50\n60\n\ntau (s);G_i (MPa)\n0.1;2\n10;1\n"));
+}
+
 /// A number without a unit that fits the others in no unit was read in Pa, and said to fit.
 TEST(PronyTable, AUnitThatDoesNotFitIsNotAssumed) {
   EXPECT_THAT(seriesError("G_inf = 1\ntau (s);G_i (Pa)\n0.1;2e6\n10;1e6\n"),
