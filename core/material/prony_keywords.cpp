@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -58,17 +59,25 @@ void checkShift(const TemperatureShift& shift, const std::string& name) {
   }
 }
 
-// ---- LS-DYNA -----------------------------------------------------------------------------------
+// ---- Other programs ----------------------------------------------------------------------------
 
-/// Throws InputError where a file has materials of LS-DYNA alone that are not read.
-void refuseDyna(const std::vector<KeywordLine>& lines, const std::string& name) {
+/// Throws InputError where a file has materials of finite-element programs that are not read.
+void refuseOthers(const std::vector<KeywordLine>& lines, const std::string& name) {
+  constexpr std::pair<std::string_view, const char*> kOthers[] = {{"*mat_", "LS-DYNA"},
+                                                                  {"matve", "Nastran"},
+                                                                  {"/visc/", "Radioss"},
+                                                                  {"<febio_spec", "FEBio"},
+                                                                  {"<material", "FEBio"}};
   for (const KeywordLine& line : lines)
-    if (line.words.front().starts_with("*mat_"))
-      throw InputError(name, line.key(),
-                       "is a keyword of LS-DYNA that is not read; *MAT_GENERAL_VISCOELASTIC and "
-                       "*MAT_VISCOELASTIC are, or write the Prony series as a table with columns "
-                       "tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a "
-                       "row with tau = inf");
+    for (const auto& [begin, program] : kOthers)
+      if (line.words.front().starts_with(begin))
+        throw InputError(
+            name, line.key(),
+            message("is a keyword of {} that is not read; those of Abaqus, Ansys and LS-DYNA "
+                    "(*MAT_GENERAL_VISCOELASTIC, *MAT_VISCOELASTIC) are, or write the Prony series "
+                    "as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the "
+                    "equilibrium modulus in a row with tau = inf",
+                    program));
 }
 
 // ---- Temperatures ------------------------------------------------------------------------------
@@ -256,7 +265,7 @@ std::optional<RawSeries> keywordSeries(std::string_view text, const std::string&
     if (!choices.statesModulus()) throw;
     series = read(false);
   }
-  if (!series) refuseDyna(lines, name);
+  if (!series) refuseOthers(lines, name);
   if (series && series->shift) checkShift(*series->shift, name);
   if (series && series->temperature)
     checkRange("T", *series->temperature, kColdest, kHottest, "temperature", name);

@@ -271,11 +271,12 @@ bool isInstantaneous(std::string_view word) {
 
 bool isRelaxationTime(std::string_view word) {
   return beginsWithOneOf(word, "tau lambda relaxationtime relaxationszeit tempsderelax") ||
-         isOneOf(word, "ti times") || isDecayRate(word);
+         isOneOf(word, "ti times") || (isDecayRate(word) && word != "omega");
 }
 
 bool isDecayRate(std::string_view word) {
-  return beginsWithOneOf(word, "beta omega relaxationrate relaxationsrate decayrate");
+  return beginsWithOneOf(word, "beta relaxationrate relaxationsrate decayrate") ||
+         isOneOf(word, "omega omegai omegak");
 }
 
 bool isArmModulus(std::string_view name) {

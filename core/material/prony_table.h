@@ -29,7 +29,7 @@ std::string seriesWord(std::string_view text);
 bool isEquilibrium(std::string_view word);
 bool isInstantaneous(std::string_view word);
 
-/// Returns whether a word names relaxation times, or their inverse.
+/// Returns whether a word names relaxation times, or their inverse; omega alone may be a frequency.
 bool isRelaxationTime(std::string_view word);
 
 /// Returns whether a word names the inverse of relaxation times: beta, as LS-DYNA writes it, or

@@ -5031,8 +5031,8 @@
         <translation>sieht aus wie die Relaxationszeiten einer Prony-Reihe, aber es gibt keine Spalte von Moduln; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
     </message>
     <message>
-        <source>is a keyword of LS-DYNA that is not read; *MAT_GENERAL_VISCOELASTIC and *MAT_VISCOELASTIC are, or write the Prony series as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
-        <translation>ist ein Schlüsselwort von LS-DYNA, das nicht gelesen wird; *MAT_GENERAL_VISCOELASTIC und *MAT_VISCOELASTIC werden gelesen, oder die Prony-Reihe als Tabelle mit den Spalten tau (s) und G (MPa) schreiben, mit tau gleich 1/beta und dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
+        <source>is a keyword of %1 that is not read; those of Abaqus, Ansys and LS-DYNA (*MAT_GENERAL_VISCOELASTIC, *MAT_VISCOELASTIC) are, or write the Prony series as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
+        <translation>ist ein Schlüsselwort von %1, das nicht gelesen wird; gelesen werden die von Abaqus, Ansys und LS-DYNA (*MAT_GENERAL_VISCOELASTIC, *MAT_VISCOELASTIC); oder die Prony-Reihe als Tabelle mit den Spalten tau (s) und G (MPa) schreiben, deren tau 1/beta ist, mit dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
     </message>
     <message>
         <source>keywords of LS-DYNA</source>

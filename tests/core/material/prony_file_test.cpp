@@ -220,6 +220,13 @@ TEST(PronyFile, WhatLooksLikeASeriesIsCalledOne) {
               HasSubstr("there is no column of moduli"));
   EXPECT_THAT(seriesError("*MAT_GENERAL_VISCOELASTIC\n$ gi betai\n1,1e-9,2000\n"),
               HasSubstr("keyword of LS-DYNA"));
+  for (const auto& [text, program] :
+       {std::pair("MATVE   100     PRONY                                           +\n"
+                  "+       0.5     0.1     0.25    10.0\n",
+                  "Nastran"),
+        {"/VISC/PRONY/1\n# M K_v\n2\n# G_I Beta_i\n2 10\n1 0.1\n", "Radioss"},
+        {"<material id=\"1\" type=\"uncoupled viscoelastic\">\n<t1>0.1</t1>\n", "FEBio"}})
+    EXPECT_THAT(seriesError(text), HasSubstr("is a keyword of " + std::string(program)));
   PronyChoices choices;
   choices.instantaneousModulus = 4e6;
   expectSeries(readSeries("tau_i (s);G_i/G_0;K_i\n0.1;0.5;0.1\n10;0.25;0\n", choices));

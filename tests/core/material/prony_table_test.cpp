@@ -178,6 +178,7 @@ TEST(PronyTable, AngularRatesAreReadAndFrequenciesAreAmbiguous) {
     expectSeriesNearly(
         readSeries("G_inf = 1 MPa\n" + std::string(names) + ",G_i (MPa)\n10,2\n0.1,1\n"));
   expectSeriesNearly(readSeries("G_inf = 1 MPa\nrelaxation rate (1/s);G (MPa)\n10;2\n0.1;1\n"));
+  EXPECT_FALSE(readSeries("omega (krad/s),G' (Pa),G'' (Pa)\n1,2e6,2e5\n2,2e6,2e5\n").has_value());
   for (const char* names : {"f_i (Hz)", "frequency (Hz)", "omega_i (Hz)"})
     EXPECT_THAT(seriesError("G_inf = 1 MPa\n" + std::string(names) + ",G_i (MPa)\n10,2\n0.1,1\n"),
                 HasSubstr("may be 1/tau or 1/(2 pi tau)"));
