@@ -63,16 +63,28 @@ std::string frictionTip(const Frame& frame) {
       "computed without time steps.");
 }
 
+Reading settledReading(const Frame& frame, int rank) {
+  return {
+      {{Words::tr("\u03BC when settled")}},
+      shortNumber(frame.muSteady, 3, Zeros::Keep),
+      rank,
+      Words::tr(
+          "Friction in the steady state, as in the chart. The picture is still approaching it."),
+      "mu"};
+}
+
 /// Returns the readings of the state that is drawn. While it approaches the steady state, the
-/// friction of the steady state is shown, too; where that of the picture cannot be read, it stands
-/// in its place.
+/// friction of the steady state is shown, too, at the end, where it moves no other reading; where
+/// that of the picture cannot be read, it stands in its place.
 std::vector<Reading> makeReadings(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
   const ContactState state = drawnState(frame);
   const bool isSettledAlone =
       frame.isSettling && !std::isfinite(state.mu) && std::isfinite(frame.muSteady);
-  if (!isSettledAlone)
+  if (isSettledAlone)
+    readings.push_back(settledReading(frame, 0));
+  else
     readings.push_back(
         {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
                                : Words::tr("coefficient of friction \u03BC")}},
@@ -80,14 +92,6 @@ std::vector<Reading> makeReadings(const Frame& frame) {
          numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
          0,
          frictionTip(frame),
-         "mu"});
-  if (frame.isSettling)
-    readings.push_back(
-        {{{Words::tr("\u03BC when settled")}},
-         shortNumber(frame.muSteady, 3, Zeros::Keep),
-         isSettledAlone ? 0 : 7,
-         Words::tr(
-             "Friction in the steady state, as in the chart. The picture is still approaching it."),
          "mu"});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
@@ -126,6 +130,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                                {quantity(frame.timeScale, "s")}),
                         "pace"});
   }
+  if (frame.isSettling && !isSettledAlone) readings.push_back(settledReading(frame, 7));
   return readings;
 }
 
