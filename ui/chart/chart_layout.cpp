@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSmall = 20;       // pixels, of a frame that does not fit
 constexpr double kMinLines = 1.8;   // minimum height of a second diagram, in lines of text
+constexpr double kMinAbove = 2.6;   // the same of the first one, above a second one
 constexpr double kMinStrip = 2.0;   // the same of a strip; fewer of them are shown in a low view
 constexpr double kMinTitle = 0.8;   // of its usual size, for the title of a strip
 constexpr std::size_t kStrips = 3;  // from this number of diagrams on, titles are beside them
@@ -65,8 +66,13 @@ ChartLayout layOutChart(const DiagramSheet& sheet, const VisibleRange& shown, co
   double share = 0;
   for (const Diagram& diagram : diagrams) share += diagram.height;
   const auto frameHeight = [&](std::size_t i) {
-    return std::floor((available - static_cast<double>(count - 1) * gap) * diagrams[i].height /
-                      share);
+    const double all = available - static_cast<double>(count - 1) * gap;
+    const double height = std::floor(all * diagrams[i].height / share);
+    // In a low view the first diagram gives the second one the height that it needs.
+    const double second = std::ceil(kMinLines * line);
+    const bool isTight = count == 2 && all * diagrams[1].height / share < second;
+    if (!isTight || all - second < kMinAbove * line) return height;
+    return i == 0 ? std::floor(all - second) : second;
   };
   // The title of a strip is above it where the strip is too low for an upright one.
   const auto isTooLowFor = [&](std::size_t i) {

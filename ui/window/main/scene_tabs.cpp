@@ -40,8 +40,8 @@ namespace {
 constexpr int kMotionTab = 1;
 // Pixels at each side of a title, in the style of a bar that is "crowded" by 0, 1 or 2.
 constexpr std::array kTabPadding{14, 7, 4};
-constexpr int kFreeWidth = 24;                  // minimum pixels of the bar beside its titles
-constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
+constexpr int kFreeWidth = 24;  // minimum pixels of the bar beside its titles
+constexpr int kMinPlot = 230;   // minimum height of the chart in pixels, in which two plots fit
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
@@ -97,7 +97,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   tabBar()->setElideMode(Qt::ElideRight);
   // The chart has keys of its own; clicking here also leaves an entry.
   plot_->setFocusPolicy(Qt::StrongFocus);
-  plot_->setMinimumHeight(kOnePlot);
+  plot_->setMinimumHeight(kMinPlot);
   // Newer tabs are last, so that the keys of the others stay.
   addPage(
       *plot_, [] { return tr("Friction curve"); }, [] { return tr("Curve"); });
@@ -113,7 +113,6 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   setTabVisible(kMotionTab, false);
   pageAt(kMotionTab).action->setVisible(false);
   keepTranslated(*this, [this] { showTexts(); });
-  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::updatePlotHeight);
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsChanged);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }
@@ -238,7 +237,6 @@ bool SceneTabs::event(QEvent* event) {
 
 void SceneTabs::resizeEvent(QResizeEvent* event) {
   fitTitles();
-  updatePlotHeight();
   QTabWidget::resizeEvent(event);
 }
 
@@ -268,15 +266,6 @@ void SceneTabs::addMenu(QMenu& menu) {
   menu_->setObjectName("tabsMenu");
   keepTranslated(*menu_, [tabs = menu_] { tabs->setTitle(tr("Tabs")); });
   for (const Page& page : pages_) menu_->addAction(page.action);
-}
-
-/// Sets the minimum height of the chart: two plots need more than one, but leave a low window a
-/// contact with room for its labels.
-void SceneTabs::updatePlotHeight() {
-  constexpr double kShare = 0.36;  // of the height of the window
-  const bool hasTwo = accuracy_->comparison() || hasMeasuredFriction_;
-  const int most = static_cast<int>(kShare * window()->height());
-  plot_->setMinimumHeight(hasTwo ? std::clamp(most, kOnePlot, kTwoPlots) : kOnePlot);
 }
 
 void SceneTabs::setTabRequested(int index, bool isRequested) {
@@ -329,8 +318,6 @@ void SceneTabs::showScene(const Scene& scene) {
   }
   if (hasMotion && !hadMotion) setCurrentIndex(kMotionTab);
   motion_->showScene(scene);
-  hasMeasuredFriction_ = !scene.comparison.data.empty();
-  updatePlotHeight();
   plan_->showScene(scene);
   spectrum_->show([scene] { return spectrumSheet(scene); },
                   {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});

@@ -116,7 +116,6 @@ class SceneTabs : public QTabWidget {
   void bringToFront(int index);
   void setTabRequested(int index, bool isRequested);
   void showMeasuredCurve();
-  void updatePlotHeight();
 
   Session& session_;
   ChartView* plot_;
@@ -132,7 +131,6 @@ class SceneTabs : public QTabWidget {
   std::optional<Scene> timed_;  // the scene whose curve is timed
   int narrowestTabs_ = 0;       // pixels that the bar needs, with its corner
   bool mayScroll_ = false;
-  bool hasMeasuredFriction_ = false;  // its ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
   std::optional<CurveCost> measured_;  // results for the present curve
   std::shared_ptr<ExcitationCache> excitation_;
