@@ -1,5 +1,6 @@
 #include "ui/panels/controls.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QFontDatabase>
 #include <QFormLayout>
@@ -109,6 +110,15 @@ QPlainTextEdit* fixedText(const QString& name) {
   text->setReadOnly(true);
   text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   return text;
+}
+
+QAction* checkedEntry(QObject& owner, const QString& name, const QString& text, bool isChecked,
+                      std::function<void(bool isChecked)> choose) {
+  auto* entry = named<QAction>(name, text, &owner);
+  entry->setCheckable(true);
+  entry->setChecked(isChecked);
+  QObject::connect(entry, &QAction::triggered, entry, std::move(choose));
+  return entry;
 }
 
 QMessageBox::StandardButton ask(

@@ -16,6 +16,7 @@
 #include <initializer_list>
 #include <utility>
 
+class QAction;
 class QFormLayout;
 class QPainter;
 class QPalette;
@@ -73,6 +74,11 @@ QProgressBar* thinProgress(const QString& name, int width = 120);
 
 /// Makes a text in a font of fixed width, which a user can only read.
 QPlainTextEdit* fixedText(const QString& name);
+
+/// Makes an entry of a menu with a check mark, which lives with its owner. choose: called with the
+/// new state when the user chooses the entry.
+QAction* checkedEntry(QObject& owner, const QString& name, const QString& text, bool isChecked,
+                      std::function<void(bool isChecked)> choose);
 
 /// A question in plain text: titles and file names are not markup.
 struct Question {

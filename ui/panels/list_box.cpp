@@ -55,31 +55,30 @@ void ListBox::showPopup() {
 
 void ListBox::addTheories(QMenu& menu) {
   for (const TheoryEntry& entry : theoryEntries()) {
-    QAction* action = menu.addAction(translatedText(entry.name));
-    action->setObjectName(QStringLiteral("shown:%1").arg(static_cast<int>(entry.theory)));
-    action->setToolTip(wrappedTip(translatedText(entry.range)));
-    action->setCheckable(true);
     const std::vector<Theory>& shown = scene_.comparison.theory;
-    action->setChecked(std::ranges::find(shown, entry.theory) != shown.end());
-    connect(action, &QAction::triggered, this, [this, theory = entry.theory](bool isSelected) {
-      emit listGiven(listText(withTheory(scene_.comparison.theory, theory, isSelected)));
-    });
+    QAction* action = checkedEntry(
+        menu, QStringLiteral("shown:%1").arg(static_cast<int>(entry.theory)),
+        translatedText(entry.name), std::ranges::find(shown, entry.theory) != shown.end(),
+        [this, theory = entry.theory](bool isSelected) {
+          emit listGiven(listText(withTheory(scene_.comparison.theory, theory, isSelected)));
+        });
+    action->setToolTip(wrappedTip(translatedText(entry.range)));
+    menu.addAction(action);
   }
 }
 
 void ListBox::addTables(QMenu& menu) {
   for (std::size_t i = 0; i < scene_.comparison.data.size(); ++i) {
     const DataFile& table = scene_.comparison.data[i];
-    QAction* action = menu.addAction(tableName(table));
-    action->setObjectName(QStringLiteral("shown:%1").arg(i));
-    action->setToolTip(fromUtf8((scene_.folder / table.file).string()));
-    action->setCheckable(true);
-    action->setChecked(true);
-    connect(action, &QAction::triggered, this, [this, i] {
+    const auto remove = [this, i](bool) {
       std::vector<DataFile> tables = scene_.comparison.data;
       if (i < tables.size()) tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(i));
       emit listGiven(listText(tables));
-    });
+    };
+    QAction* action =
+        checkedEntry(menu, QStringLiteral("shown:%1").arg(i), tableName(table), true, remove);
+    action->setToolTip(fromUtf8((scene_.folder / table.file).string()));
+    menu.addAction(action);
   }
   if (!menu.isEmpty()) menu.addSeparator();
   menu.addAction(tr("Add a table…"), this, &ListBox::fileRequested)->setObjectName("addTable");

@@ -75,12 +75,11 @@ class ViewActions {
     auto* group = new QActionGroup(&canvas_);
     for (const auto& [overlay, text, tip] : kChoices) {
       const std::string_view word = choiceWord(kContactOverlays, overlay);
-      auto* action = named<QAction>("overlay:" + QString::fromUtf8(word.data()), group);
+      QAction* action =
+          checkedEntry(*group, "overlay:" + QString::fromUtf8(word.data()), {},
+                       overlay == canvas_.viewer().overlay(),
+                       [&canvas = canvas_, o = overlay](bool) { canvas.setOverlay(o); });
       keepTexts(*action, text, tip ? tip : text);
-      action->setCheckable(true);
-      action->setChecked(overlay == canvas_.viewer().overlay());
-      QObject::connect(action, &QAction::triggered, &canvas_,
-                       [&canvas = canvas_, o = overlay] { canvas.setOverlay(o); });
       QObject::connect(&canvas_, &ContactCanvas::viewChanged, action,
                        [&canvas = canvas_, action, o = overlay] {
                          if (canvas.viewer().overlay() == o) action->setChecked(true);

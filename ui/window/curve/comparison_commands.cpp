@@ -74,11 +74,10 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
   theories_->setObjectName("theoryMenu");
   theories_->setToolTipsVisible(true);
   for (const TheoryEntry& entry : theoryEntries()) {
-    QAction* action = theories_->addAction(QString());
-    action->setObjectName("theory:" + theoryWord(entry.theory));
-    action->setCheckable(true);
-    connect(action, &QAction::triggered, this,
-            [this, theory = entry.theory](bool isSelected) { takeTheory(theory, isSelected); });
+    QAction* action = checkedEntry(
+        *theories_, "theory:" + theoryWord(entry.theory), {}, false,
+        [this, theory = entry.theory](bool isSelected) { takeTheory(theory, isSelected); });
+    theories_->addAction(action);
     keepTranslated(*theories_, [action, &entry] {
       action->setText(capitalized(translatedText(entry.name)));
       action->setToolTip(wrappedTip(translatedText(entry.range)));

@@ -204,11 +204,11 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
   const Scene& scene = session_.scene();
   const auto addKey = [&](const Parameter& row) {
     QAction* action =
-        menu.addAction(capitalized(plainTitle(translatedText(parameterTitle(row.key)))), this,
-                       [choose, &row] { choose(row); });
-    action->setObjectName("key:" + QString::fromStdString(std::string(row.key)));
+        checkedEntry(menu, "key:" + fromUtf8(row.key),
+                     capitalized(plainTitle(translatedText(parameterTitle(row.key)))),
+                     row.key == scene.sweep.key, [choose, &row](bool) { choose(row); });
     action->setCheckable(&menu == keys_);
-    action->setChecked(row.key == scene.sweep.key);
+    menu.addAction(action);
   };
   std::string_view section;
   for (const Parameter* row : axisKeys()) {
@@ -228,11 +228,9 @@ void CurveCommands::addFamilySizes() {
   QMenu* sizes = family_->addMenu(tr("Curves in a family: %1").arg(familySize_));
   sizes->setObjectName("familySizes");
   for (int size = kMin; size <= kMax; ++size) {
-    QAction* action =
-        sizes->addAction(QString::number(size), this, [this, size] { familySize_ = size; });
-    action->setObjectName(QStringLiteral("familySize:%1").arg(size));
-    action->setCheckable(true);
-    action->setChecked(size == familySize_);
+    sizes->addAction(checkedEntry(*sizes, QStringLiteral("familySize:%1").arg(size),
+                                  QString::number(size), size == familySize_,
+                                  [this, size](bool) { familySize_ = size; }));
   }
 }
 
@@ -249,12 +247,10 @@ std::vector<const Parameter*> CurveCommands::axisKeys() const {
 void CurveCommands::fillQuantities() {
   quantities_->clear();
   for (const QuantityEntry& entry : quantityEntries()) {
-    QAction* action =
-        quantities_->addAction(capitalized(translatedText(entry.title)), this,
-                               [this, quantity = entry.quantity] { chooseQuantity(quantity); });
-    action->setObjectName("quantity:" + QString::fromStdString(entry.word.text()));
-    action->setCheckable(true);
-    action->setChecked(session_.friction().quantity() == entry.quantity);
+    quantities_->addAction(checkedEntry(
+        *quantities_, "quantity:" + QString::fromStdString(entry.word.text()),
+        capitalized(translatedText(entry.title)), session_.friction().quantity() == entry.quantity,
+        [this, quantity = entry.quantity](bool) { chooseQuantity(quantity); }));
   }
 }
 

@@ -167,12 +167,10 @@ void LessonStepPage::showControls() {
 /// Offers the parameters that have a meaning in the step's scene.
 void LessonStepPage::fillControls() {
   fillParameterMenu(*controls_->menu(), scene_, [this](QMenu& section, const Parameter& row) {
-    QAction* action = section.addAction(ParameterRow::labelText(row));
-    action->setObjectName("free:" + fromUtf8(row.key));
-    action->setCheckable(true);
-    action->setChecked(chosen_.state(row.key) == ControlState::Free);
-    connect(action, &QAction::toggled, this,
-            [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); });
+    section.addAction(checkedEntry(
+        section, "free:" + fromUtf8(row.key), ParameterRow::labelText(row),
+        chosen_.state(row.key) == ControlState::Free,
+        [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); }));
   });
 }
 

@@ -197,12 +197,9 @@ void Appearance::addMenu(QMenu& menu) {
   QMenu* themes = menu.addMenu(QString());
   auto* group = new QActionGroup(this);
   for (const ThemeChoice choice : {ThemeChoice::System, ThemeChoice::Light, ThemeChoice::Dark}) {
-    QAction* action = themes->addAction(QString(), this, [this, choice] { chooseTheme(choice); });
-    action->setObjectName(QStringLiteral("colours:%1").arg(static_cast<int>(choice)));
-    action->setCheckable(true);
-    action->setChecked(choice == choice_);
-    group->addAction(action);
-    choices_ += action;
+    choices_ += checkedEntry(*themes, QStringLiteral("colours:%1").arg(static_cast<int>(choice)),
+                             {}, choice == choice_, [this, choice](bool) { chooseTheme(choice); });
+    themes->addAction(group->addAction(choices_.last()));
   }
   keepTranslated(*themes, [this, themes] {
     themes->setTitle(tr("Theme"));

@@ -184,15 +184,12 @@ void MainWindow::fillLanguages(QMenu& menu) {
   QMenu* names = menu.addMenu(QString());
   auto* group = new QActionGroup(names);
   const auto add = [&](const QString& name, const QString& code) {
-    QAction* action = names->addAction(name);
-    action->setObjectName("language:" + code);
-    action->setCheckable(true);
-    action->setChecked(code == fromUtf8(chosenLanguage()));
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, code] {
-      chooseLanguage(code);
-      setLanguage(windowLanguage());
-    });
+    QAction* action = checkedEntry(*names, "language:" + code, name,
+                                   code == fromUtf8(chosenLanguage()), [this, code](bool) {
+                                     chooseLanguage(code);
+                                     setLanguage(windowLanguage());
+                                   });
+    names->addAction(group->addAction(action));
     return action;
   };
   QAction* system = add({}, {});
