@@ -153,6 +153,7 @@ void ParameterPanel::takeRow(ParameterRow* row) {
 /// in the new language.
 void ParameterPanel::showTexts() {
   if (bar_) bar_->showTexts();
+  measurePlan();
   showRows(nullptr);
   showRemarks();
   showMissing();
@@ -194,6 +195,29 @@ void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access
   rows_->setAccess(access);
   arrange();
   updateWidth();
+}
+
+void ParameterPanel::planRows(const std::vector<PlannedRows>& plan) {
+  plan_ = plan;
+  measurePlan();
+  updateWidth();
+}
+
+/// Shows the planned scenes one after the other, without painting them: how wide a row is may
+/// depend on its values.
+void ParameterPanel::measurePlan() {
+  plannedWidth_ = 0;
+  if (plan_.empty()) return;
+  const std::map<std::string, RowAccess> access = rows_->access();
+  for (const PlannedRows& planned : plan_) {
+    rows_->setAccess(planned.access);
+    rows_->prepareFor(planned.scene);
+    for (ParameterRow* row : rows_->rows()) row->showScene(planned.scene, {}, false);
+    plannedWidth_ = std::max(plannedWidth_, rows_->neededWidth(planned.scene));
+  }
+  rows_->setAccess(access);
+  rows_->prepareFor(scene_);
+  showRows(nullptr);
 }
 
 /// Returns the row that the user works with: the one that is held, that has the focus, or that is
@@ -367,14 +391,13 @@ void ParameterPanel::changeEvent(QEvent* event) {
 }
 
 /// Keeps the panel wide enough that rows are never cut at the side, also with a large font. The
-/// width depends on the rows that the scene has, not on which of them are visible. While some are
-/// hidden from the user the scenes of a lesson change from step to step, and only a row that would
-/// be cut moves the views beside the panel.
+/// width depends on the rows that the scene has, or all planned scenes have, not on which of them
+/// are visible. Of a plan, only a row that would be cut moves the views beside the panel.
 void ParameterPanel::updateWidth() {
-  int least = std::max(
-      {kMinWidth, rows_->neededWidth(scene_) + scroll_->verticalScrollBar()->sizeHint().width(),
-       bar_ ? bar_->minimumSizeHint().width() : 0});
-  if (rows_->limitsAccess()) least = std::max(least, minimumWidth());
+  const int rows = std::max(plannedWidth_, rows_->neededWidth(scene_));
+  int least = std::max({kMinWidth, rows + scroll_->verticalScrollBar()->sizeHint().width(),
+                        bar_ ? bar_->minimumSizeHint().width() : 0});
+  if (!plan_.empty()) least = std::max(least, minimumWidth());
   if (least == minimumWidth()) return;
   setMinimumWidth(least);
   const int enough = std::max(least, chosenWidth_);

@@ -37,6 +37,12 @@ struct PanelView {
   bool operator==(const PanelView&) const = default;
 };
 
+/// A scene that the panel is going to show, and what the user may then do with its rows.
+struct PlannedRows {
+  Scene scene;
+  std::map<std::string, RowAccess> access;
+};
+
 class ParameterPanel : public QWidget {
   Q_OBJECT
 
@@ -65,6 +71,10 @@ class ParameterPanel : public QWidget {
   /// all others ("*"). The longest name counts; rows without one are free. A row that is named as
   /// free or locked is visible among the essential ones, too. An empty map frees everything.
   void setRowAccess(const std::map<std::string, RowAccess>& access);
+
+  /// Makes the panel as wide as all these scenes need, such as those of a lesson, so that it keeps
+  /// its width from one to the next. An empty list ends this.
+  void planRows(const std::vector<PlannedRows>& plan);
 
   /// Shows each note as a warning at the row it is about, until the next call.
   void showNotes(const NoteSet& notes);
@@ -130,6 +140,7 @@ class ParameterPanel : public QWidget {
   void showRemarks(bool withWarnings = true);
   void showWaitingRemarks();
   ParameterRow* rowInUse() const;
+  void measurePlan();
   void updateWidth();
   bool showsAll() const;
   void showMissing();
@@ -144,8 +155,10 @@ class ParameterPanel : public QWidget {
   FileChooser chooser_;
   QMap<QString, QString> runErrors_;   // texts of showError(), by key
   int chosenWidth_ = QWIDGETSIZE_MAX;  // by the user; rows may need more
-  bool areRemarksWaiting_ = false;     // until the rows may move
-  QTimer* remarkDelay_;                // from the last change of a waiting warning
+  std::vector<PlannedRows> plan_;
+  int plannedWidth_ = 0;            // pixels that its rows need
+  bool areRemarksWaiting_ = false;  // until the rows may move
+  QTimer* remarkDelay_;             // from the last change of a waiting warning
   NoteSet notes_;
   QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null

@@ -68,7 +68,7 @@ class RowList : public QWidget {
 
   /// Sets what a user may do with rows; see ParameterPanel::setRowAccess().
   void setAccess(const std::map<std::string, RowAccess>& access);
-  bool limitsAccess() const { return !access_.empty(); }
+  const std::map<std::string, RowAccess>& access() const { return access_; }
 
   /// Names of the folded groups.
   QStringList folded() const;

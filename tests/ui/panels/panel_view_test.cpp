@@ -341,14 +341,41 @@ TEST_F(PanelViewTest, ALessonDoesNotMoveTheViewsForRowsThatItHides) {
   Scene wide = plain;
   wide.elastomer.rheology = Rheology::Prony;
   for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
-  panel_.setRowAccess({{"*", RowAccess::Hidden}, {"sliding.velocity", RowAccess::Free}});
+  const std::map<std::string, RowAccess> access{{"*", RowAccess::Hidden},
+                                                {"sliding.velocity", RowAccess::Free}};
+  panel_.planRows({{wide, access}, {plain, access}});
+  panel_.setRowAccess(access);
   for (const Scene& scene : {wide, plain, wide}) {
     panel_.setScene(scene);
     QTest::qWait(1);
     EXPECT_EQ(panel_.minimumWidth(), before);
   }
+  panel_.planRows({});
   panel_.setRowAccess({});
   EXPECT_TRUE(QTest::qWaitFor([&] { return panel_.minimumWidth() > before; }));
+}
+
+/// Steps of a lesson may have scenes of several kinds, whose rows need other widths.
+TEST_F(PanelViewTest, TheWidthOfALessonIsThatOfItsWidestStep) {
+  const Scene plain = panel_.scene();
+  QTest::qWait(1);
+  const int before = panel_.minimumWidth();
+  Scene wide = plain;
+  wide.elastomer.rheology = Rheology::Prony;
+  for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  panel_.planRows({{plain, {}}, {wide, {}}});
+  const int planned = panel_.minimumWidth();
+  EXPECT_GT(planned, before);
+  EXPECT_EQ(panel_.scene(), plain);
+  for (const Scene& scene : {wide, plain}) {
+    panel_.setScene(scene);
+    QTest::qWait(1);
+    EXPECT_EQ(panel_.minimumWidth(), planned);
+  }
+  panel_.planRows({});
+  EXPECT_EQ(panel_.minimumWidth(), before);
+  panel_.planRows({{wide, {{"*", RowAccess::Hidden}}}});
+  EXPECT_EQ(panel_.minimumWidth(), before) << "the rows are hidden";
 }
 
 TEST_F(PanelViewTest, ARowIsRevealedWhereverItIs) {

@@ -32,6 +32,32 @@ namespace {
 const std::initializer_list<const char*> kStepCommands = {"lessonBackStep", "lessonNextStep",
                                                           "lessonEnd"};
 
+/// Returns the access to all rows in a step.
+std::map<std::string, RowAccess> rowAccess(const LessonControls& controls, bool isRevealed) {
+  std::map<std::string, RowAccess> access;
+  const auto with = [isRevealed](ControlState state) {
+    if (state == ControlState::Hidden) return RowAccess::Hidden;
+    return state == ControlState::Free && isRevealed ? RowAccess::Free : RowAccess::Locked;
+  };
+  access["*"] = with(controls.others);
+  for (const auto& [keys, state] : {std::pair(&controls.free, ControlState::Free),
+                                    {&controls.locked, ControlState::Locked},
+                                    {&controls.hidden, ControlState::Hidden}})
+    for (const std::string& key : *keys) access[key] = with(state);
+  return access;
+}
+
+/// Returns the rows of all steps, before and after their answers.
+std::vector<PlannedRows> plannedRows(const Lesson& lesson) {
+  std::vector<PlannedRows> plan;
+  for (const LessonStep& step : lesson.steps) {
+    plan.push_back({step.scene, rowAccess(step.controls, true)});
+    if (!(step.revealedScene == step.scene))
+      plan.push_back({step.revealedScene, rowAccess(step.controls, true)});
+  }
+  return plan;
+}
+
 }  // namespace
 
 LessonPlayer::LessonPlayer(const Parts& parts)
@@ -111,6 +137,7 @@ void LessonPlayer::start(const Lesson& lesson, int step, const LessonResults& kn
   answers_.clear();
   results_ = known;
   isTrial_ = isTrial;
+  parts_.panel.planRows(plannedRows(*lesson_));
   dock_->begin();
   commands_->get("lessonEnd")->setEnabled(true);
   parts_.session.setPlaying(true);
@@ -199,18 +226,7 @@ Scene LessonPlayer::shownScene() const {
 /// Frees and locks the controls. Before the prediction is made all are locked: trying them would
 /// reveal the answer.
 void LessonPlayer::showControls() {
-  std::map<std::string, RowAccess> access;
-  const LessonControls& controls = present().controls;
-  const auto rowAccess = [&](ControlState state) {
-    if (state == ControlState::Hidden) return RowAccess::Hidden;
-    return state == ControlState::Free && isRevealed() ? RowAccess::Free : RowAccess::Locked;
-  };
-  access["*"] = rowAccess(controls.others);
-  for (const auto& [keys, state] : {std::pair(&controls.free, ControlState::Free),
-                                    {&controls.locked, ControlState::Locked},
-                                    {&controls.hidden, ControlState::Hidden}})
-    for (const std::string& key : *keys) access[key] = rowAccess(state);
-  parts_.panel.setRowAccess(access);
+  parts_.panel.setRowAccess(rowAccess(present().controls, isRevealed()));
 }
 
 /// Undoes changes of controls that are not free.
@@ -356,6 +372,7 @@ void LessonPlayer::end() {
   lesson_.reset();
   point_->dismiss();
   dock_->hide();
+  parts_.panel.planRows({});
   parts_.panel.setRowAccess({});
   for (QAction* action : commands_->get(kStepCommands)) action->setEnabled(false);
   restoreWindow();
