@@ -5132,6 +5132,14 @@
         <translation>Anordnung wiederherstellen</translation>
     </message>
     <message>
+        <source>More height for the contact</source>
+        <translation>Mehr Höhe für den Kontakt</translation>
+    </message>
+    <message>
+        <source>More height for the chart</source>
+        <translation>Mehr Höhe für das Diagramm</translation>
+    </message>
+    <message>
         <source>Filter parameters</source>
         <translation>Parameter filtern</translation>
     </message>

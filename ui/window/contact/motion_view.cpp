@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <algorithm>
@@ -67,7 +68,7 @@ MotionView::MotionView(QWidget* parent)
   loop_->hide();
   for (DiagramView* files : {stripFiles_, loopFiles_}) files->hide();
   for (ChartView* chart : {strips_, loop_}) {
-    chart->setFocusPolicy(Qt::NoFocus);
+    chart->setFocusPolicy(Qt::TabFocus);  // their menus; a click leaves the keys to the contact
     chart->setMouseTracking(true);
     chart->installEventFilter(this);
   }
@@ -133,6 +134,9 @@ void MotionView::showFrame(const Frame& frame) {
     rows.hasInterface = hasLocalFriction(*scene);
     return provenanceComment("motion", *scene) + motionCsv(rows);
   };
+  for (ChartView* chart : {strips_, loop_})
+    if (chart->hasFocus() && !samples_->empty())
+      chart->setAccessibleDescription(reading(samples_->back()));
   stripFiles_->show(strips, {"motion", origin, table, {}});
   loopFiles_->show(loop, {"friction_loop", origin, table, {}});
 }
@@ -189,6 +193,16 @@ QString MotionView::reading(const TransientSample& sample) const {
   return lines.join('\n');
 }
 
+/// Asks for another moment. Returns whether the key does this.
+bool MotionView::step(const QKeyEvent& event) {
+  constexpr double kStep = 1e-2, kFineStep = 1e-3;  // parts of the motion
+  const bool isRight = event.key() == Qt::Key_Right;
+  if (!isRight && event.key() != Qt::Key_Left) return false;
+  const double step = event.modifiers() & Qt::ShiftModifier ? kFineStep : kStep;
+  emit stepRequested(isRight ? step : -step);
+  return true;
+}
+
 bool MotionView::eventFilter(QObject* watched, QEvent* event) {
   auto* chart = static_cast<ChartView*>(watched);
   if (event->type() == QEvent::MouseMove) {
@@ -212,6 +226,8 @@ bool MotionView::eventFilter(QObject* watched, QEvent* event) {
     pressed_.reset();
     if (const auto moment = momentAt(mouse->position()); isClick && moment)
       emit seekRequested(*moment);
+  } else if (event->type() == QEvent::KeyPress && step(*static_cast<QKeyEvent*>(event))) {
+    return true;
   }
   return QWidget::eventFilter(watched, event);
 }

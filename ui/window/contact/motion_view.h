@@ -13,6 +13,8 @@
 #include "core/scene/scene.h"
 #include "ui/draw/theme.h"
 
+class QKeyEvent;
+
 namespace asperity {
 
 class ChartView;
@@ -41,6 +43,8 @@ class MotionView : public QWidget {
  signals:
   /// Emitted when a moment of the strips is clicked, s; it may be one that was not reached yet.
   void seekRequested(double time);
+  /// Emitted when the arrow keys move the moment by this part of the motion; below 0 back.
+  void stepRequested(double part);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +54,7 @@ class MotionView : public QWidget {
   void addMenu(ChartView& chart, DiagramView& files);
   void showTexts();
   QString reading(const TransientSample& sample) const;
+  bool step(const QKeyEvent& event);
   /// Returns the time at a position of the strips, s; nothing beside their frames.
   std::optional<double> momentAt(QPointF position) const;
 

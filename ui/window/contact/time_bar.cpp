@@ -226,6 +226,10 @@ void TimeBar::showMoment() {
   moment_->setAccessibleDescription(momentWords());  // its own value is a position
 }
 
+void TimeBar::stepMoment(double part) {
+  moment_->setValue(moment_->value() + static_cast<int>(std::lround(part * kMoments)));
+}
+
 void TimeBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fit();

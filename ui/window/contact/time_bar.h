@@ -33,6 +33,8 @@ class TimeBar : public QWidget {
   /// requested: the moment on the way to which the motion is, s; the handle waits there, so that
   /// pictures of other moments do not take it back.
   void showFrame(const Frame& frame, std::optional<double> requested = {});
+  /// Asks for a moment that is later by this part of the motion; below 0 earlier.
+  void stepMoment(double part);
 
   /// Returns the seconds on the screen for one period, or for a motion. Until the user chooses a
   /// pace, that of a motion shows as many of its steps in each frame, so that no frame repeats.

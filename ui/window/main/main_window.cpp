@@ -411,6 +411,7 @@ void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::statusMessage, status_, &StatusLine::showMessage);
   connect(canvas_, &ContactCanvas::statusMessage, status_, &StatusLine::showMessage);
   connect(&tabs_->motion(), &MotionView::seekRequested, session_, &Session::seek);
+  connect(&tabs_->motion(), &MotionView::stepRequested, timeBar_, &TimeBar::stepMoment);
   // Dragging the slider of time pauses the run, which resumes afterwards if it was playing.
   connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
     if (isOn) wasPlaying_ = session_->isPlaying();

@@ -30,6 +30,7 @@ namespace asperity {
 
 namespace {
 
+constexpr int kBorderStep = 24;    // pixels
 constexpr int kLow = 800;          // pixels, of a screen or window whose views are low
 constexpr int kLayoutVersion = 1;  // version of the layout of docks and tool bars
 
@@ -111,6 +112,14 @@ void WindowLayout::addTo(Commands& commands) {
       ->setEnabled(false);
   commands.add(
       {"restoreLayout", [] { return tr("Restore layout"); }, [this] { restoreDefault(); }});
+  commands.add({"borderDown",
+                [] { return tr("More height for the contact"); },
+                [this] { moveBorder(kBorderStep); },
+                {Qt::CTRL | Qt::ALT | Qt::Key_Down}});
+  commands.add({"borderUp",
+                [] { return tr("More height for the chart"); },
+                [this] { moveBorder(-kBorderStep); },
+                {Qt::CTRL | Qt::ALT | Qt::Key_Up}});
   commands.add({"filterParameters",
                 [] { return tr("Filter parameters"); },
                 [this] { filterParameters(); },
@@ -125,6 +134,7 @@ void WindowLayout::fillMenu(QMenu& menu) {
   menu.addAction(parts_.dock.toggleViewAction());
   menu.addAction(commands_->get("filterParameters"));
   parts_.tabs.addMenu(menu);
+  menu.addActions(commands_->get({"borderDown", "borderUp"}));
   menu.addSeparator();
   menu.addActions(commands_->get({"fullScreen", "present", "leave"}));
   menu.addSeparator();
@@ -139,6 +149,12 @@ void WindowLayout::filterParameters() {
   parts_.dock.show();
   parts_.dock.raise();
   parts_.panel.focusFilter();
+}
+
+/// Moves the border between contact and tabs, as far as both have their minimum heights.
+void WindowLayout::moveBorder(int down) {
+  const QList<int> sizes = parts_.splitter.sizes();
+  parts_.splitter.setSizes({sizes[0] + down, sizes[1] - down});
 }
 
 void WindowLayout::setFullScreen(bool full) {

@@ -93,6 +93,7 @@ class WindowLayout : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void moveBorder(int down);
   void fitDescription();
   void beginPresentation();
   void endPresentation();

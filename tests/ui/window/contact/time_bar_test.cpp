@@ -510,6 +510,29 @@ TEST_F(TimeInTheWindow, AClickOnAStripGoesToItsMoment) {
   EXPECT_TRUE(waitFor([&] { return frame()->time > 0.9 * last.time; }));
 }
 
+/// Strips and loop are reached by the Tab key: for their menus, and to read one moment after the
+/// other.
+TEST_F(TimeInTheWindow, ArrowKeysMoveTheMomentOfTheStrips) {
+  openMotion(SlidingKind::Oscillation);
+  ASSERT_TRUE(waitFor([&] { return frame()->transient && frame()->transient->size() > 30; }));
+  session().setPlaying(false);
+  ASSERT_TRUE(waitForRest());
+  MotionView& motion = window_.tabs().motion();
+  const double duration = window_.document().scene().sliding.duration;
+  const auto& moment = control<QSlider>("moment");
+  for (ChartView* chart : {&motion.strips(), &motion.loop()}) {
+    EXPECT_EQ(chart->focusPolicy(), Qt::TabFocus);
+    chart->setFocus(Qt::TabFocusReason);
+    const int before = moment.value();
+    for (int i = 0; i < 3; ++i) QTest::keyClick(chart, Qt::Key_Right);
+    QTest::keyClick(chart, Qt::Key_Left, Qt::ShiftModifier);
+    EXPECT_EQ(moment.value(), before + 29);
+    const double wanted = duration * moment.value() / moment.maximum();
+    EXPECT_TRUE(waitFor([&] { return std::abs(frame()->time - wanted) < 2e-3 * duration; }));
+    EXPECT_TRUE(waitFor([&] { return chart->accessibleDescription().startsWith("t = "); }));
+  }
+}
+
 /// The picture, the bar, the status line and the charts tell the same moment, also while it plays.
 TEST_F(TimeInTheWindow, EverythingTellsTheSameMoment) {
   std::shared_ptr<const Frame> drawn;

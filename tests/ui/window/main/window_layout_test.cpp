@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QLayout>
 #include <QLineEdit>
@@ -143,6 +144,41 @@ TEST_F(WindowLayoutTest, NothingMovesWhenWorkBeginsOrEnds) {
     QTest::qWait(300);
     compare("after work");
   }
+}
+
+/// A comparison adds a plot below the curve, which takes its height from that of the curve alone.
+TEST_F(WindowLayoutTest, TheBorderStaysWhenASecondPlotComesAndGoes) {
+  auto& compares = control<QCheckBox>("comparisonWanted");
+  for (const QSize size : {QSize(1024, 700), QSize(1280, 720), QSize(1920, 1080)}) {
+    window_.resize(size);
+    QTest::qWait(100);
+    const int before = window_.canvas().height();
+    for (const bool isOn : {true, false}) {
+      compares.setChecked(isOn);
+      ASSERT_TRUE(
+          waitFor([&] { return window_.plotView().sheet().diagrams.size() == (isOn ? 2 : 1); }));
+      QTest::qWait(100);
+      EXPECT_EQ(window_.canvas().height(), before) << size.height() << ' ' << isOn;
+      const QPointF inSecond = window_.plotView().mapToPosition(1, 0, 1);
+      EXPECT_EQ(inSecond.isNull(), !isOn) << "it is shown";
+    }
+  }
+}
+
+TEST_F(WindowLayoutTest, TheBorderBelowTheContactMovesByKeysAndKeepsBothSidesInSight) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  const int before = window_.canvas().height();
+  const auto press = [&](Qt::Key key) {
+    QTest::keyClick(&window_, key, Qt::ControlModifier | Qt::AltModifier);
+    QCoreApplication::processEvents();
+  };
+  press(Qt::Key_Up);
+  EXPECT_LT(window_.canvas().height(), before);
+  press(Qt::Key_Down);
+  EXPECT_EQ(window_.canvas().height(), before);
+  for (int i = 0; i < 40; ++i) press(Qt::Key_Down);
+  EXPECT_GT(window_.canvas().height(), before);
+  EXPECT_GE(window_.plotView().height(), 170) << "the chart can still be read";
 }
 
 TEST_F(WindowLayoutTest, DocksMayBeMoved) {
