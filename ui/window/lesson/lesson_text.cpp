@@ -17,8 +17,11 @@ namespace {
 /// Returns a text with no-break characters where a line break would hinder reading.
 QString inReadableLines(const QString& given) {
   QString text = keptTogether(given);
-  text.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
-  // The two sides of "H = 0.7" and "T − T₀" stay together.
+  // The parts of "mm/s" and "1/v" stay together.
+  static const QRegularExpression quotient(QStringLiteral(R"((?<=\w)/(?=\w\b))"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+  text.replace(quotient, QStringLiteral("/\u2060"));
+  // So do the two sides of "H = 0.7" and "T − T₀".
   for (const char16_t sign : {u'=', u'−', u'+'})
     text.replace(QString(u' ') + sign + ' ', QString(QChar::Nbsp) + sign + QChar::Nbsp);
   // So does a number with what it counts: "3-mal".

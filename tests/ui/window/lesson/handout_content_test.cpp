@@ -35,6 +35,8 @@ TEST(LessonTexts, MarkupBecomesHtmlAndNothingElseDoes) {
   EXPECT_EQ(richText("H = 0.7"), QStringLiteral("<p>H\u00A0=\u00A00.7</p>"));
   EXPECT_EQ(richText("at 3 mm/s, 70 °C, 40 lines"),
             QStringLiteral("<p>at 3\u00A0mm/\u2060s, 70\u00A0°C, 40 lines</p>"));
+  EXPECT_EQ(richText("as 1/v or 1/τ, here/there"),
+            QStringLiteral("<p>as 1/\u2060v or 1/\u2060τ, here/there</p>"));
 }
 
 TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
