@@ -633,12 +633,12 @@
 <context>
     <name>asperity::ArmsEditor</name>
     <message>
-        <source>modulus of arm %1 (%2)</source>
-        <translation>Modul von Arm %1 (%2)</translation>
+        <source>modulus of arm %1</source>
+        <translation>Modul von Arm %1</translation>
     </message>
     <message>
-        <source>relaxation time of arm %1 (%2)</source>
-        <translation>Relaxationszeit von Arm %1 (%2)</translation>
+        <source>relaxation time of arm %1</source>
+        <translation>Relaxationszeit von Arm %1</translation>
     </message>
     <message>
         <source>Remove this arm</source>
@@ -4425,8 +4425,8 @@
         <translation>Temperatur</translation>
     </message>
     <message>
-        <source>temperature of row %1 (%2)</source>
-        <translation>Temperatur der Zeile %1 (%2)</translation>
+        <source>temperature of row %1</source>
+        <translation>Temperatur der Zeile %1</translation>
     </message>
     <message>
         <source>log10 of the shift of row %1</source>

@@ -193,6 +193,12 @@ void ChoiceBox::setShownText(const QString& text) {
   update();
 }
 
+void ChoiceBox::setSpoken(const QString& name, const QString& description) {
+  setAccessibleName(name);
+  setAccessibleDescription(description.isEmpty() ? name
+                                                 : QStringLiteral("%1. %2").arg(name, description));
+}
+
 void ChoiceBox::wheelEvent(QWheelEvent* event) {
   if (hasFocus()) return QComboBox::wheelEvent(event);
   event->ignore();

@@ -130,6 +130,10 @@ class ChoiceBox : public QComboBox {
   void setShownText(const QString& text);
   QString shownText() const { return shown_.isEmpty() ? currentText() : shown_; }
 
+  /// Sets what screen readers speak. On Linux Qt gives them the current entry in place of the name,
+  /// so the description begins with the name.
+  void setSpoken(const QString& name, const QString& description = {});
+
  protected:
   void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;

@@ -88,7 +88,7 @@ ArmsEditor::ArmsEditor(QWidget* parent)
 PairEditor::Texts ArmsEditor::texts() const {
   return {{tr("modulus") + "&nbsp; " + symbolHtml("G_i"),
            tr("relaxation time") + "&nbsp; " + symbolHtml("tau_i")},
-          {tr("modulus of arm %1 (%2)"), tr("relaxation time of arm %1 (%2)")},
+          {tr("modulus of arm %1"), tr("relaxation time of arm %1")},
           tr("one"),
           tr("Add arm"),
           tr("One more arm, with ten times the longest relaxation time"),
@@ -207,7 +207,7 @@ ShiftEditor::ShiftEditor(QWidget* parent)
 PairEditor::Texts ShiftEditor::texts() const {
   return {
       {tr("temperature") + "&nbsp; " + symbolHtml("T"), "log<sub>10</sub> " + symbolHtml("a_T")},
-      {tr("temperature of row %1 (%2)"), tr("log10 of the shift of row %1")},
+      {tr("temperature of row %1"), tr("log10 of the shift of row %1")},
       tr("one"),
       tr("Add row"),
       tr("One more row, 10 K above the highest temperature"),

@@ -1,6 +1,7 @@
 #include "ui/panels/number_text.h"
 
 #include <QRegularExpression>
+#include <QTextDocumentFragment>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -44,6 +45,10 @@ QString valueText(const ParameterValue& value) {
 QString withoutTags(QString html) {
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   return html.remove(tag);
+}
+
+QString spokenText(const QString& html) {
+  return QTextDocumentFragment::fromHtml(html).toPlainText();
 }
 
 QString symbolHtml(std::string_view symbol) {

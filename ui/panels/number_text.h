@@ -24,6 +24,8 @@ QString valueText(const ParameterValue& value);
 
 /// Returns rich text without its tags.
 QString withoutTags(QString html);
+/// Returns HTML as a screen reader reads it.
+QString spokenText(const QString& html);
 
 /// Returns "F_N" and "tau" as rich text in italics: F with a lowered N, the Greek letter.
 QString symbolHtml(std::string_view symbol);

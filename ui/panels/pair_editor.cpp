@@ -60,8 +60,7 @@ class PairRow {
     const PairEditor::Texts texts = editor_.texts();
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       const NumberRule& rule = editor_.kind_.rules[k];
-      const QString name = texts.cells[k].arg(index_ + 1);
-      entries_[k]->setAccessibleName(rule.unit.isEmpty() ? name : name.arg(rule.unit));
+      entries_[k]->setSpokenName(texts.cells[k].arg(index_ + 1));
       entries_[k]->setToolTip(allowedInWords(rule));
     }
     remove_->setToolTip(texts.removeTip);

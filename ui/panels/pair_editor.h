@@ -75,7 +75,7 @@ class PairEditor : public QWidget {
   };
   struct Texts {
     std::array<QString, 2> headings;  // rich text
-    std::array<QString, 2> cells;     // of row %1 (its unit %2, where it has one)
+    std::array<QString, 2> cells;     // of row %1
     QString one;                      // a list of one row
     QString add, addTip, paste, pasteTip, removeTip, removeName, foldName;
   };

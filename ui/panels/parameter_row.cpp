@@ -112,8 +112,9 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 void ParameterRow::showTexts() {
   label_->setText(labelWithSymbol(parameter_));
   label_->setToolTip(parameterTip(parameter_, rheology_));
+  speak();
   for (QWidget* control : Widgets{slider_, entry_, choice_, table_, material_, list_, text_})
-    if (control) describe(*control);
+    if (control) control->setToolTip(tip());
   if (material_) material_->showTexts();
   if (list_) list_->showTexts();
   if (table_) table_->setToolTip({});  // its parts have their own tooltips
@@ -205,6 +206,7 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
     reset_->setToolTip(tr("Back to the default, chosen by the scene"));
   isFixed_ = placeholder && placeholder->isFixed;
   showEnabled();
+  speak();
 }
 
 void ParameterRow::showEntry(const ParameterValue& value,
@@ -264,6 +266,7 @@ void ParameterRow::showRemark(QLabel& remark, const QString& text) {
   if (remark.text() == shown) return;
   remark.setText(shown);
   remark.setVisible(!shown.isEmpty());
+  speak();
 }
 
 bool ParameterRow::hasRemark() const {
@@ -446,10 +449,26 @@ QString ParameterRow::nameFor(const char* kind) const {
   return QString(kind) + ":" + fromUtf8(parameter_.key);
 }
 
-void ParameterRow::describe(QWidget& control) {
-  control.setAccessibleName(accessibleLabel(parameter_));
-  control.setAccessibleDescription(translatedText(parameter_.sentence));
-  control.setToolTip(tip());
+/// Tells screen readers what the controls are, with the remarks below them. The slider also says
+/// its value: its own one is a position.
+void ParameterRow::speak() {
+  const QString name = labelText(parameter_);
+  QStringList sentences{translatedText(parameter_.sentence)};
+  for (const QLabel* remark : {note_, warning_, error_})
+    if (!remark->text().isEmpty()) sentences += remark->text();
+  const QString description = sentences.join(' ');
+  for (QWidget* control : Widgets{slider_, entry_, table_, text_}) {
+    if (!control) continue;
+    control->setAccessibleName(name);
+    control->setAccessibleDescription(description);
+  }
+  for (ChoiceBox* box : std::initializer_list<ChoiceBox*>{choice_, material_, list_})
+    if (box) box->setSpoken(name, description);
+  if (entry_) entry_->setSpokenName(name);
+  if (!slider_) return;
+  const QString number = entry_->text().isEmpty() ? entry_->placeholderText() : entry_->text();
+  slider_->setAccessibleDescription(
+      QStringLiteral("%1. %2").arg((number + ' ' + entry_->unit()).trimmed(), description));
 }
 
 QString ParameterRow::tip() const {

@@ -114,7 +114,7 @@ class ParameterRow : public QWidget {
                  bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& initial);
   QString nameFor(const char* kind) const;
-  void describe(QWidget& control);
+  void speak();
   QString tip() const;
 
   Parameter parameter_;

@@ -120,11 +120,6 @@ QString resetText(const Parameter& parameter, const ParameterValue& initial) {
                          : ParameterRow::tr("Back to the default, %1").arg(value);
 }
 
-QString accessibleLabel(const Parameter& parameter) {
-  const QString label = ParameterRow::labelText(parameter), unit = fromUtf8(parameter.unit);
-  return unit.isEmpty() ? label : QStringLiteral("%1 (%2)").arg(label, unit);
-}
-
 QString explanationText(const Parameter& parameter, Rheology rheology) {
   const auto explanation = findExplanation(parameter.key);
   return explanation ? explanationHtml(withFormulaFor(*explanation, rheology)) : QString();

@@ -32,9 +32,6 @@ QString textWithUnit(const Parameter& parameter, const ParameterValue& value);
 /// shows it.
 QString resetText(const Parameter& parameter, const ParameterValue& initial);
 
-/// Returns "normal force (N)".
-QString accessibleLabel(const Parameter& parameter);
-
 /// Returns the sentence of the parameter and its formula for the elements of a scene.
 QString explanationText(const Parameter& parameter, Rheology rheology);
 

@@ -43,7 +43,19 @@ void ValueEntry::replaceText(const QString& text, const QString& unit) {
 void ValueEntry::showUnit(const QString& unit) {
   if (unit_ == unit) return;
   unit_ = unit;
+  speakName();
   emit unitShown(unit);
+}
+
+void ValueEntry::setSpokenName(const QString& name) {
+  spokenName_ = name;
+  speakName();
+}
+
+/// The number alone would be read in another unit: 200 mN as 200 N.
+void ValueEntry::speakName() {
+  setAccessibleName(unit_.isEmpty() ? spokenName_
+                                    : QStringLiteral("%1 (%2)").arg(spokenName_, unit_));
 }
 
 void ValueEntry::changeEvent(QEvent* event) {

@@ -21,6 +21,9 @@ class ValueEntry : public QLineEdit {
   /// Shows the text in any case.
   void replaceText(const QString& text, const QString& unit = {});
 
+  /// Sets the name that screen readers speak, with the unit that is shown beside the entry.
+  void setSpokenName(const QString& name);
+
   /// Returns the unit of the present text, if that is only a number.
   QString unit() const { return unit_; }
 
@@ -53,12 +56,14 @@ class ValueEntry : public QLineEdit {
  private:
   QRect textRect() const;
   void showUnit(const QString& unit);
+  void speakName();
   void correctText();
   void commit();
   bool handlesKey(const QKeyEvent& event) const;
 
   QString accepted_, acceptedUnit_;
   QString unit_;
+  QString spokenName_;
   QString reason_;
   Qt::Edge shownEnd_ = Qt::LeftEdge;
 };

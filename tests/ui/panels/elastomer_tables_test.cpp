@@ -203,8 +203,8 @@ TEST_F(ArmsEditorTest, ALongListIsFoldedUntilItIsOpened) {
 }
 
 TEST_F(ArmsEditorTest, EveryControlSaysWhatItIs) {
-  EXPECT_EQ(entry("armModulus", 1).accessibleName(), "modulus of arm 2 (Pa)");
-  EXPECT_EQ(entry("armTime", 0).accessibleName(), "relaxation time of arm 1 (s)");
+  EXPECT_EQ(entry("armModulus", 1).accessibleName(), "modulus of arm 2 (MPa)");
+  EXPECT_EQ(entry("armTime", 0).accessibleName(), "relaxation time of arm 1 (ms)");
   EXPECT_EQ(control<QToolButton>("armRemove:1").accessibleName(), "remove arm 2");
   EXPECT_EQ(control<QToolButton>("armsFold").accessibleName(), "arms: 2, 1 ms to 100 ms");
 }

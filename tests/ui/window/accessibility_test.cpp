@@ -13,6 +13,7 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "tests/ui/window/readable_widgets.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/main/window_keys.h"
 
@@ -53,7 +54,21 @@ TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
     const auto* label = qobject_cast<QLabel*>(widget);
     if (label && !label->isVisible()) continue;  // its text is its name
     ++count;
-    EXPECT_FALSE(nameOf(widget).isEmpty()) << pathOf(widget).toStdString();
+    EXPECT_TRUE(hasSpokenName(*widget)) << pathOf(widget).toStdString();
+  }
+  EXPECT_GT(count, 80);
+}
+
+/// Qt passes the tooltip on where a widget has no description of its own.
+TEST_F(AccessibilityTest, NoDescriptionHasMarkup) {
+  window_.figures().figuresPage();
+  int count = 0;
+  for (QWidget* widget : window_.findChildren<QWidget*>()) {
+    const QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+    const QString description = spoken ? spoken->text(QAccessible::Description) : QString();
+    count += !description.isEmpty();
+    EXPECT_FALSE(Qt::mightBeRichText(description))
+        << pathOf(widget).toStdString() << ": " << description.toStdString();
   }
   EXPECT_GT(count, 80);
 }

@@ -21,6 +21,9 @@ QStringList readingFaults(QWidget& window);
 /// key where its tooltip names another one: "Close (Esc)".
 QStringList tabFaults(QWidget& window);
 
+/// Returns whether a screen reader says more of a control than its kind and its value.
+bool hasSpokenName(QWidget& widget);
+
 /// Returns why the window with its frame does not fit on a screen of this size; empty where it
 /// does.
 QStringList sizeFaults(const QWidget& window, QSize screen);

@@ -78,7 +78,7 @@ void ComparisonBox::showTexts() {
       tr("Computes the curve in this way, too, on the same lines, and plots the "
          "difference below it"));
   compare_->setAccessibleName(tr("Compare the curve with"));
-  scheme_->setAccessibleName(tr("scheme to compare with"));
+  scheme_->setSpoken(tr("scheme to compare with"));
   for (int i = 0; i < scheme_->count(); ++i)
     scheme_->setItemText(i, wordText(schemes()[static_cast<std::size_t>(i)]));
   for (const auto& [box, label] :

@@ -9,11 +9,11 @@
 #include "core/friction/curve_difference.h"
 
 class QCheckBox;
-class QComboBox;
 class QSpinBox;
 
 namespace asperity {
 
+class ChoiceBox;
 class ComparisonBox : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class ComparisonBox : public QWidget {
   void showLines();
 
   QCheckBox* compare_;
-  QComboBox* scheme_;
+  ChoiceBox* scheme_;
   QSpinBox* oversampling_;
   QSpinBox* lines_;
   int suggested_ = 0;  // number of lines that was proposed, not chosen

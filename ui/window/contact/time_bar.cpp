@@ -342,6 +342,7 @@ void TimeBar::showPace() {
   behindText_->setVisible(reachedScale_ > 0);
   for (QWidget* part : Widgets{slider_, factor_}) part->setEnabled(requested > 0);
   shown_ = requested > 0 ? paceText(factor) : QStringLiteral("–");
+  slider_->setAccessibleDescription(shown_);  // its own value is a position
   setWidths();
   if (factor_->hasFocus() && factor_->isModified()) return;  // the user is typing
   if (factor_->text() == shown_) return;

@@ -307,6 +307,7 @@ void AxisChoosers::explain() {
   y_->setToolTip(tip(isPlain ? std::string_view(quantityEntry(session_.friction().quantity()).word)
                              : "normalized_mu",
                      tr("What the curve shows")));
+  for (AxisBox* box : {x_, y_}) box->setSpoken(box->accessibleName(), spokenText(box->toolTip()));
 }
 
 /// Selects what is shown.

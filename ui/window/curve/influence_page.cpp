@@ -85,7 +85,7 @@ int InfluencePage::heightFor(const DiagramSheet& sheet) const {
 }
 
 void InfluencePage::showTexts() {
-  choice_->setAccessibleName(tr("what friction depends on"));
+  choice_->setSpoken(tr("what friction depends on"));
   choice_->setItemText(0, tr("Which parameter matters"));
   choice_->setItemText(1, tr("Which wavelengths matter"));
   hint_->setText(showsWaves() ? tr("friction without the waves below a cut-off")

@@ -12,11 +12,11 @@
 #include "core/scene/scene.h"
 #include "ui/window/tasks/background_work.h"
 
-class QComboBox;
 class QLabel;
 
 namespace asperity {
 
+class ChoiceBox;
 class DiagramView;
 struct Theme;
 
@@ -42,7 +42,7 @@ class InfluencePage : public QWidget {
   bool showsWaves() const;
   int heightFor(const DiagramSheet& sheet) const;
 
-  QComboBox* choice_;
+  ChoiceBox* choice_;
   QLabel* hint_;
   DiagramView* view_;
   std::optional<Scene> scene_;

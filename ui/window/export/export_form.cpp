@@ -133,8 +133,9 @@ void ExportForm::addFilm() {
   rate_->setText("25");
   speedRow_ = new QWidget;
   auto* speed = marginless<QHBoxLayout>(speedRow_);
-  speed_ = named<ChoiceBox>("exportSpeed");
-  speed_->setAccessibleName(tr("speed"));
+  auto* kinds = named<ChoiceBox>("exportSpeed");
+  kinds->setSpoken(tr("speed"));
+  speed_ = kinds;
   if (isMotion_)
     speed_->addItem(tr("the whole motion"), "whole");
   else
@@ -207,8 +208,9 @@ void ExportForm::addSize() {
   width_->setAccessibleName(tr("width"));
   height_ = named<QLineEdit>("exportHeight");
   height_->setAccessibleName(tr("height"));
-  unit_ = named<ChoiceBox>("exportUnit");
-  unit_->setAccessibleName(tr("unit of width and height"));
+  auto* units = named<ChoiceBox>("exportUnit");
+  units->setSpoken(tr("unit of width and height"));
+  unit_ = units;
   unit_->addItem(tr("pixels"), "");
   unit_->addItem("mm", "mm");
   size_->setToolTip(tr(

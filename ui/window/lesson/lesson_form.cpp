@@ -132,6 +132,7 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   }
   value->setObjectName(name_ + ':' + QString::fromStdString(key));
   value->setAccessibleName(label);
+  name->setBuddy(value);
   line->addWidget(value, 1);
   auto* button = new QToolButton;
   button->setObjectName(name_ + "Without:" + QString::fromStdString(key));

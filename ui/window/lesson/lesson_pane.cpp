@@ -8,13 +8,13 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QTextDocumentFragment>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/lesson/answer_input.h"
 #include "ui/window/lesson/lesson_text.h"
 
@@ -34,11 +34,6 @@ class FootButton : public QPushButton {
   }
   QSize minimumSizeHint() const override { return sizeHint(); }
 };
-
-/// Returns HTML as a screen reader reads it.
-QString spoken(const QString& html) {
-  return QTextDocumentFragment::fromHtml(html).toPlainText();
-}
 
 }  // namespace
 
@@ -153,7 +148,7 @@ void LessonPane::showStep(const LessonPage& page) {
   // The focus moves to the button; its description gives the right answer to screen readers, or the
   // text of a step that asks nothing.
   next_->setAccessibleDescription(
-      spoken((step.prediction ? verdict + reveal : text_->text()) + page.score));
+      spokenText((step.prediction ? verdict + reveal : text_->text()) + page.score));
   fill(*reveal_, reveal);
   showButtons();
   isRevealed_ = page.answer != nullptr;
@@ -201,7 +196,7 @@ void LessonPane::setInput(AnswerInput* input) {
   const QWidgetList controls = input->controls();
   // The focus moves to the first one, beyond the question.
   if (!controls.isEmpty())
-    controls.constFirst()->setAccessibleDescription(spoken(question_->text()));
+    controls.constFirst()->setAccessibleDescription(spokenText(question_->text()));
   orderTabs(*tolerance_, *inputLayout_);  // below the question
 }
 

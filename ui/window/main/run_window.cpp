@@ -96,7 +96,39 @@ std::string_view windowLanguage() {
   return "en";
 }
 
+namespace {
+
+/// Gives screen readers the tooltips without markup, which Qt would pass on as it is. A widget that
+/// has a description of its own keeps it.
+class SpokenTooltips : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    auto* widget =
+        event->type() == QEvent::ToolTipChange ? qobject_cast<QWidget*>(watched) : nullptr;
+    if (widget) describe(*widget);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  static void describe(QWidget& widget) {
+    constexpr const char* kSpoken = "spokenTooltip";  // what this class has set
+    const QString description = widget.accessibleDescription();
+    if (!description.isEmpty() && description != widget.property(kSpoken).toString()) return;
+    const QString tip = widget.toolTip();
+    const QString spoken = Qt::mightBeRichText(tip) ? spokenText(tip) : QString();
+    if (spoken == description) return;
+    widget.setProperty(kSpoken, spoken);
+    widget.setAccessibleDescription(spoken);
+  }
+};
+
+}  // namespace
+
 void prepareApplication(QApplication& application) {
+  application.installEventFilter(new SpokenTooltips(&application));
   QApplication::setOrganizationName(QStringLiteral("Asperity"));
   QApplication::setApplicationName(QStringLiteral("asperity"));
   QApplication::setApplicationDisplayName({});

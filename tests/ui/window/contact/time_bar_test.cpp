@@ -64,6 +64,7 @@ class TimeBarTest : public testing::Test {
 TEST_F(TimeBarTest, SlowMotionIsThePaceOverTheSimulatedTime) {
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 12 / 0.02);
   EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600× slower"));
+  EXPECT_EQ(part<QSlider>("paceSlider").accessibleDescription(), QStringLiteral("600× slower"));
   scene_.sliding.velocity = 0;
   show();
   EXPECT_EQ(bar_.slowMotion(), 0);
