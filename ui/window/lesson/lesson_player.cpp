@@ -1,5 +1,6 @@
 #include "ui/window/lesson/lesson_player.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDateTime>
@@ -388,6 +389,10 @@ void LessonPlayer::keepWindow() {
     before_->hasDimensionlessAxes = axes->isChecked();
     axes->setChecked(false);
   }
+  if (auto* compares = parts_.window.findChild<QAbstractButton*>("comparisonWanted")) {
+    before_->hasComparison = compares->isChecked();
+    compares->setChecked(false);
+  }
   // The texts of lessons speak of the pressure that glows.
   if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) {
     before_->overlay = canvas->viewer().overlay();
@@ -413,6 +418,9 @@ void LessonPlayer::restoreWindow() {
   parts_.tabs.setCurrentIndex(before->tab);
   if (before->hasDimensionlessAxes)
     if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) axes->setChecked(true);
+  if (before->hasComparison)
+    if (auto* compares = parts_.window.findChild<QAbstractButton*>("comparisonWanted"))
+      compares->setChecked(true);
   if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) canvas->setOverlay(before->overlay);
 }
 

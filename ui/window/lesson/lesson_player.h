@@ -121,7 +121,7 @@ class LessonPlayer : public QObject {
     CurveQuantity quantity;
     bool isLinearY;
     int tab;
-    bool hasDimensionlessAxes = false;
+    bool hasDimensionlessAxes = false, hasComparison = false;
     ContactOverlay overlay{};
   };
   std::optional<Before> before_;

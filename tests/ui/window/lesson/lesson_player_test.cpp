@@ -396,6 +396,16 @@ TEST_F(LessonPlayerTest, ShowsThePressureAndGivesTheChosenColoursBack) {
   EXPECT_EQ(canvas.viewer().overlay(), ContactOverlay::Power);
 }
 
+/// No step speaks of the difference that the student had chosen to see before.
+TEST_F(LessonPlayerTest, AComparisonPausesDuringALesson) {
+  auto& compares = control<QAbstractButton>("comparisonWanted");
+  compares.setChecked(true);
+  lessons().start(lessonOf(sampleLesson()));
+  EXPECT_FALSE(compares.isChecked());
+  lessons().end();
+  EXPECT_TRUE(compares.isChecked());
+}
+
 /// The line of the chart follows the pointer no farther than the velocity does.
 TEST_F(LessonPlayerTest, TheLineOfALockedVelocityStaysWithIt) {
   lessons().start(lessonOf(sampleLesson()));
