@@ -139,8 +139,9 @@ bool LessonDock::eventFilter(QObject* watched, QEvent* event) {
 
 /// Moves the border between the pane and the parameters where one of them has to be scrolled while
 /// the other has room. Where both have to be, the parameters are shown whole if the pane can give
-/// the height: the text may tell the student to move one of them. Before the answer they are
-/// locked, and the question comes first. Elsewhere the border stays: at the beginning, and where it
+/// the height: the text may tell the student to move one of them. Where there are too many for
+/// that, the text is shown whole above the first of them. Before the answer they are locked, and
+/// the question comes first. Elsewhere the border stays: at the beginning, and where it
 /// moves for the text, it leaves the parameters no more than the next steps are likely to need, so
 /// that it need not move again.
 void LessonDock::shareHeight(int corrections) {
@@ -153,7 +154,10 @@ void LessonDock::shareHeight(int corrections) {
     toRows = -std::min(hiddenText, rows_->viewport()->height());
   } else if (hiddenRows > 0) {
     const bool isFirst = hiddenRows <= most && !pane_->isAsking();
-    toRows = isFirst ? hiddenRows : std::clamp(std::min(-hiddenText, hiddenRows), 0, most);
+    const int spare = std::max(0, rows_->viewport()->height() - kUsualRows);
+    toRows = isFirst          ? hiddenRows
+             : hiddenText > 0 ? -std::min(hiddenText, spare)
+                              : std::min({-hiddenText, hiddenRows, most});
   } else if (std::exchange(isBeginning_, false) || hiddenText > 0) {
     const int room = -hiddenRows, needed = std::min(hiddenText, room);
     const int kept = std::max(0, kUsualRows - neededHeight(*rows_));

@@ -103,6 +103,10 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
   const int room = rows->viewport()->height() - needed;
   if (rows->isVisible() && scroll->verticalScrollBar()->maximum() > 0 && room > kRoom)
     faults.push_back("the text is scrolled beside free room");
+  constexpr int kOneRow = 52;
+  if (rows->isVisible() && scroll->verticalScrollBar()->maximum() > 0 && room < 0 &&
+      rows->viewport()->height() > kOneRow + kRoom)
+    faults.push_back("text and parameters are scrolled, and the text could be whole");
   // What the step speaks of is to be seen beside it.
   if (window.tabs().width() < kMinChart.width() || window.tabs().height() < kMinChart.height())
     faults.push_back("the chart is too small");
