@@ -213,7 +213,7 @@ class ResultsDialog : public QDialog {
     foot_->addStretch(1);
     connect(&addButton(name + "Close", LessonResultsPage::tr("&Close")), &QPushButton::clicked,
             this, &QDialog::reject);
-    constexpr QSize kSize(820, 460);  // pixels
+    constexpr QSize kSize(960, 460);  // pixels; the table of a class with six answers fits
     resizePage(*this, kSize);
   }
 
