@@ -261,7 +261,7 @@ void ChartBackground::paintFrame(QPainter& painter) const {
 /// Paints the numbers of the y-axis.
 void ChartBackground::paintNumbers(QPainter& painter) const {
   const double line = style_.line();
-  painter.setPen(style_.text());
+  painter.setPen(style_.faintText());
   for (const Tick& tick : yAxis_.ticks) {
     const double middle = map_.pixelY(tick.value);
     painter.drawText(QRectF(0, middle - line / 2, frame_.left() - kNumberGap, line),

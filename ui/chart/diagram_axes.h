@@ -71,6 +71,9 @@ float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
 /// height.
 bool fitsUpright(const std::string& title, float height, const DiagramSizes& sizes);
 
+/// Returns whether the whole title fits upright beside a frame of this height.
+bool fitsUprightInWords(const std::string& title, float height, const DiagramSizes& sizes);
+
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme);
 /// Adds frame, ticks, labels and titles. `above`: pixels over the frame that another part uses.
