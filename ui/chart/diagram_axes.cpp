@@ -221,12 +221,6 @@ void addTitle(DrawList& list, const std::string& title, DrawPoint at, float size
   addLabel(list, form.text, at, form.size, anchor, colour, angle);
 }
 
-/// Returns the middle of a line of a whole width that covers whole pixels; between them it would be
-/// pale and wide.
-float sharp(float pixel, float width) {
-  return std::floor(pixel) + width / 2;
-}
-
 /// Adds marks on all four sides of the frame, or with a negative length outside of it, where only
 /// the lower and the left side have them.
 void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour, float width,
@@ -236,12 +230,12 @@ void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour,
   // Marks outside of a frame without numbers would stand in the gap to the next frame.
   const bool hasX = isInside || axes.hasXLabels;
   const auto addX = [&](double value, float reach) {
-    const float x = sharp(axes.px(value), width);
+    const float x = onWholePixels(axes.px(value), width);
     addLine(layer, {{x, box.bottom()}, {x, box.bottom() - reach}}, width, colour);
     if (isInside) addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
   };
   const auto addY = [&](double value, float reach) {
-    const float y = sharp(axes.py(value), width);
+    const float y = onWholePixels(axes.py(value), width);
     addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
     if (isInside) addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
   };
@@ -391,17 +385,31 @@ float belowAxes(const DiagramSizes& sizes) {
   return std::ceil(1.5F * sizes.tick + 2 * sizes.axis);
 }
 
+float axisLineWidth(const DiagramSizes& sizes) {
+  return std::max(1.0F, std::round(1.1F * sizes.unit));
+}
+
+float onWholePixels(float pixel, float width) {
+  return std::floor(pixel) + width / 2;
+}
+
+void addAxisFrame(DrawLayer& layer, const Box& box, float width, const Theme& theme) {
+  // It is around the box, as that of the contact.
+  addOutline(layer, {box.x - width / 2, box.y - width / 2, box.width + width, box.height + width},
+             width, theme.axis);
+}
+
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme) {
   const Box& box = axes.box;
   const float width = std::max(1.0F, std::round(sizes.unit));
   DrawLayer layer;
   for (const Tick& tick : axes.yAxis.ticks) {
-    const float y = sharp(axes.py(tick.value), width);
+    const float y = onWholePixels(axes.py(tick.value), width);
     addLine(layer, {{box.x, y}, {box.right(), y}}, width, theme.grid);
   }
   for (const Tick& tick : axes.xAxis.ticks) {
-    const float x = sharp(axes.px(tick.value), width);
+    const float x = onWholePixels(axes.px(tick.value), width);
     addLine(layer, {{x, box.y}, {x, box.bottom()}}, width, theme.grid);
   }
   list.layers.push_back(std::move(layer));
@@ -410,15 +418,13 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                      const Theme& theme, float above) {
   const Box& box = axes.box;
-  const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
+  const float width = axisLineWidth(sizes);
   const Rgba& colour = theme.axis;
   DrawLayer layer;
   const float reach = std::round(6 * sizes.unit);
   if (sizes.ticks != TickSide::None)
     addTickMarks(layer, axes, colour, width, sizes.ticks == TickSide::Inside ? reach : -reach);
-  // The frame is around the box, as that of the contact.
-  addOutline(layer, {box.x - width / 2, box.y - width / 2, box.width + width, box.height + width},
-             width, colour);
+  addAxisFrame(layer, box, width, theme);
   list.layers.push_back(std::move(layer));
   DiagramAxes labelled = axes;
   if (!axes.hasXLabels) labelled.xAxis.ticks.clear();

@@ -74,6 +74,14 @@ bool fitsUpright(const std::string& title, float height, const DiagramSizes& siz
 /// Returns whether the whole title fits upright beside a frame of this height.
 bool fitsUprightInWords(const std::string& title, float height, const DiagramSizes& sizes);
 
+/// Returns the width of the lines of axes, whole pixels.
+float axisLineWidth(const DiagramSizes& sizes);
+/// Returns the middle of a line of a whole width that covers whole pixels; between them it would be
+/// pale and wide.
+float onWholePixels(float pixel, float width);
+/// Adds the frame around a box.
+void addAxisFrame(DrawLayer& layer, const Box& box, float width, const Theme& theme);
+
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme);
 /// Adds frame, ticks, labels and titles. `above`: pixels over the frame that another part uses.

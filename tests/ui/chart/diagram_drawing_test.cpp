@@ -239,6 +239,7 @@ TEST(DiagramDrawing, TheNameOfAMarkerIsClearOfItsRing) {
       const DrawList list = composeDiagrams(sheet, {1660, 720, scale, printTheme()});
       const DrawText* name = textOf(list, text);
       ASSERT_TRUE(name) << text;
+      EXPECT_FALSE(same(name->colour, printTheme().text)) << "not as a curve's name";
       const float half = textWidth(name->utf8, name->size) / 2;
       constexpr std::size_t kRingVertices = 33;
       int rings = 0;
