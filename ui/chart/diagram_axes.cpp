@@ -319,6 +319,15 @@ AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
   return padded(diagram.y, data, theory, true);
 }
 
+bool hasNoValues(const Diagram& diagram) {
+  if (diagram.field || !diagram.bars.empty()) return false;
+  const auto hasValue = [](const DiagramSeries& series) {
+    return std::ranges::any_of(series.points,
+                               [](const DiagramPoint& point) { return std::isfinite(point.y); });
+  };
+  return diagram.y.from == diagram.y.to && std::ranges::none_of(diagram.series, hasValue);
+}
+
 TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes) {
   const float size = sizes.tick;

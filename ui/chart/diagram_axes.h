@@ -20,6 +20,10 @@ AxisRange xRange(const Diagram& diagram);
 /// Returns the y-range of the points inside the x-range; theory lines widen it a little.
 AxisRange yRange(const Diagram& diagram, const AxisRange& inX);
 
+/// Returns whether the y-axis has no values, as that of a motion before its first step: its numbers
+/// would mean nothing.
+bool hasNoValues(const Diagram& diagram);
+
 /// An axis with as many ticks as fit its length.
 struct TickedAxis {
   AxisScale scale = AxisScale::Linear;

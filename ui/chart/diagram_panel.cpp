@@ -291,6 +291,10 @@ void DiagramPanel::place(float right, float above) {
   axes_.yAxis = diagram_.bars.empty()
                     ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)
                     : barAxis(diagram_, 0.45F * cell_.width, sizes_);
+  if (hasNoValues(diagram_)) {
+    axes_.yAxis.ticks.clear();
+    axes_.yAxis.minor.clear();
+  }
   float bar = 0;
   if (diagram_.field) {
     colours_ = colourAxis(*diagram_.field, box.height, sizes_);

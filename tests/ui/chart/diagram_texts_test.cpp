@@ -487,6 +487,20 @@ TEST(DiagramTexts, OfStripsNameThemInWords) {
   EXPECT_GE(lowestFrame(sheet, options), 3);
 }
 
+/// Before the first step a strip has no values; 0, 0.5 and 1 m of indentation would be nonsense.
+TEST(DiagramTexts, OfStripsWithoutValuesHaveNoNumbers) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Oscillation;
+  scene.sliding.duration = 0.006;
+  DiagramOptions options{1280, 317, 1, lightTheme(), 0.8F};
+  options.above = FrameAbove{60, 1262, 0};
+  const DrawList list = composeDiagrams(transientSheet(scene, {}, 4e-6, 0.02), options);
+  EXPECT_TRUE(says(list, "indentation d (m)")) << allTexts(list);
+  EXPECT_TRUE(says(list, "6")) << "the time";
+  EXPECT_FALSE(says(list, "0.5")) << allTexts(list);
+  EXPECT_FALSE(says(list, "1.0")) << allTexts(list);
+}
+
 /// On a screen, and below a contact, whose axes have their ticks outside, those of a chart are
 /// outside as well; in print they are inside, unless the user wishes them elsewhere.
 TEST(DiagramTexts, TicksAreInsideInPrintOnly) {
