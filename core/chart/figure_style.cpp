@@ -36,8 +36,10 @@ constexpr NamedChoices<LegendMode, 4> kLegends{{{"auto", LegendMode::Automatic},
                                                 {"none", LegendMode::None},
                                                 {"inside", LegendMode::Inside},
                                                 {"below", LegendMode::Below}}};
-constexpr NamedChoices<TickSide, 3> kTicks{
-    {{"inside", TickSide::Inside}, {"outside", TickSide::Outside}, {"none", TickSide::None}}};
+constexpr NamedChoices<TickSide, 4> kTicks{{{"auto", TickSide::Automatic},
+                                            {"inside", TickSide::Inside},
+                                            {"outside", TickSide::Outside},
+                                            {"none", TickSide::None}}};
 constexpr NamedChoices<PanelLetters, 4> kLetters{{{"none", PanelLetters::None},
                                                   {"a", PanelLetters::Small},
                                                   {"A", PanelLetters::Capital},
@@ -164,8 +166,10 @@ constexpr std::array<FigureOption, 18> kOptions{{
      setChoice<kLegends, &FigureStyle::legend>},
     {"footnote", "on|off", "The remark under a chart", FigurePart::Chart,
      setChoice<kOnOff, &FigureStyle::hasFootnote>},
-    {"ticks", "SIDE", "Tick marks inside or outside of the frame, or none", FigurePart::Chart,
-     setChoice<kTicks, &FigureStyle::ticks>},
+    {"ticks", "SIDE",
+     "Tick marks inside or outside of the frame, none, or auto: inside with the themes for print, "
+     "else outside",
+     FigurePart::Chart, setChoice<kTicks, &FigureStyle::ticks>},
     {"x-scale", "SCALE", "x-axis log or linear", FigurePart::Chart,
      setChoice<kAxisScales, &FigureStyle::xScale>},
     {"y-scale", "SCALE", "y-axis log or linear", FigurePart::Chart,

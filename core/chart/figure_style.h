@@ -19,7 +19,7 @@
 namespace asperity {
 
 enum class LegendMode { Automatic, None, Inside, Below };
-enum class TickSide { Inside, Outside, None };
+enum class TickSide { Automatic, Inside, Outside, None };
 enum class PanelLetters { None, Small, Capital, Bracketed };
 
 /// The style of one curve; a value that is not given is automatic.
@@ -52,7 +52,7 @@ struct FigureStyle {
   bool hasTitle = true, hasRegions = true, hasLaw = true, hasFootnote = true, isGrey = false;
   std::string title{};  // instead of the figure's own; empty: that one
   LegendMode legend = LegendMode::Automatic;
-  TickSide ticks = TickSide::Inside;
+  TickSide ticks = TickSide::Automatic;
   PanelLetters letters = PanelLetters::None;
   std::optional<AxisScale> xScale{}, yScale{};
   std::vector<std::pair<std::string, std::string>> labels{};  // what, text

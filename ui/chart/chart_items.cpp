@@ -31,16 +31,6 @@ QString shadeText(const DiagramSpan& shade) {
   return text;
 }
 
-/// Returns whether the y-axis has no values, as that of a motion before its first step: its numbers
-/// would mean nothing.
-bool hasNoValues(const Diagram& diagram) {
-  const auto hasValue = [](const DiagramSeries& series) {
-    return std::ranges::any_of(series.points,
-                               [](const DiagramPoint& point) { return std::isfinite(point.y); });
-  };
-  return diagram.y.from == diagram.y.to && std::ranges::none_of(diagram.series, hasValue);
-}
-
 /// Returns a title that is not broken within its unit: Qt would break "(m/s)" after the stroke.
 QString withHardBlankUnit(QString title) {
   return title.replace('/', QStringLiteral("/\u2060"));
@@ -261,7 +251,7 @@ void ChartBackground::paintFrame(QPainter& painter) const {
 /// Paints the numbers of the y-axis.
 void ChartBackground::paintNumbers(QPainter& painter) const {
   const double line = style_.line();
-  painter.setPen(style_.text());
+  painter.setPen(style_.faintText());
   for (const Tick& tick : yAxis_.ticks) {
     const double middle = map_.pixelY(tick.value);
     painter.drawText(QRectF(0, middle - line / 2, frame_.left() - kNumberGap, line),

@@ -125,7 +125,7 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
 
 void ChartPanel::applyStyle(QCategoryAxis& axis, const ChartStyle& style) {
   if (axis.labelsFont() != style.font) axis.setLabelsFont(style.font);
-  if (axis.labelsColor() != style.text()) axis.setLabelsColor(style.text());
+  if (axis.labelsColor() != style.faintText()) axis.setLabelsColor(style.faintText());
 }
 
 /// Updates only what has changed: the layout of an axis takes much time.

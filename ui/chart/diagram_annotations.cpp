@@ -109,6 +109,7 @@ std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
   const auto box = boxNear(foot, width, height, shade.box, map, 0.6F * size, 24);
   if (!box || map.greatestUnder(*box) > 0) return std::nullopt;
   out.box = *box;
+  out.isOfShade = true;
   map.addBox(grown(*box, margin), kTaken);
   return out;
 }
@@ -140,7 +141,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
     const float centre = std::clamp(whole.x + whole.width / 2, left + width / 2,
                                     std::max(left + width / 2, whole.right() - gap - width / 2));
     addLabel(list, label, {centre, std::round(whole.y + strip - 0.45F * size)}, size,
-             TextAnchor::Centre, theme.text);
+             TextAnchor::Centre, theme.faintText);
     taken = centre + width / 2;
   }
   for (const SpanBox& shade : spanBoxes(diagram.shades, axes))
@@ -179,6 +180,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (!box) continue;
     out.box = *box;
     out.covers = diagram.field || map.greatestUnder(*box) > 0;
+    out.isOfMarker = !diagram.field && diagram.marker && label.text == diagram.marker->label;
     if (hasArrow)
       if (const auto start = exitPoint(grown(*box, 0.15F * size), target)) {
         out.arrow = {*start, target};
@@ -191,6 +193,18 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (auto out = placeShade(shade, map, sizes)) placed.push_back(std::move(*out));
   return placed;
 }
+
+namespace {
+
+/// Returns the colour of a label. That of a marker is darker or lighter than its line, so that
+/// small letters can be read.
+Rgba labelColour(const PlacedLabel& label, const Theme& theme) {
+  constexpr float kMore = 0.2F;
+  if (label.isOfMarker) return mix(seriesColour(kMarkerColour, theme), theme.text, kMore);
+  return label.isOfShade ? theme.faintText : theme.text;
+}
+
+}  // namespace
 
 void addLabels(DrawList& list, const std::vector<PlacedLabel>& labels, const DiagramSizes& sizes,
                const Theme& theme) {
@@ -205,7 +219,7 @@ void addLabels(DrawList& list, const std::vector<PlacedLabel>& labels, const Dia
     for (std::size_t i = 0; i < label.lines.size(); ++i)
       addLabel(list, label.lines[i],
                {x, std::round(label.box.y + kLine * size * static_cast<float>(i) + 0.98F * size)},
-               size, TextAnchor::Centre, theme.text);
+               size, TextAnchor::Centre, labelColour(label, theme));
   }
   if (!layer.triangles.empty() || !layer.lines.empty()) list.layers.push_back(std::move(layer));
 }

@@ -22,6 +22,8 @@ struct PlacedLabel {
   Box box;                       // of the text
   std::vector<DrawPoint> arrow;  // from the text to its target; empty: none
   bool covers = false;           // whether something lies under the text
+  bool isOfMarker = false;       // has the marker's colour
+  bool isOfShade = false;        // is faint
 };
 
 /// Places labels near their points, and names of shades at their feet. They are moved so that none

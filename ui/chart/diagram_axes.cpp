@@ -227,18 +227,22 @@ void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour,
                   float length) {
   const Box& box = axes.box;
   const bool isInside = length > 0;
+  // Marks outside of a frame without numbers would stand in the gap to the next frame.
+  const bool hasX = isInside || axes.hasXLabels;
   const auto addX = [&](double value, float reach) {
-    const float x = axes.px(value);
+    const float x = onWholePixels(axes.px(value), width);
     addLine(layer, {{x, box.bottom()}, {x, box.bottom() - reach}}, width, colour);
     if (isInside) addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
   };
   const auto addY = [&](double value, float reach) {
-    const float y = axes.py(value);
+    const float y = onWholePixels(axes.py(value), width);
     addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
     if (isInside) addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
   };
-  for (const Tick& tick : axes.xAxis.ticks) addX(tick.value, length);
-  for (const double value : axes.xAxis.minor) addX(value, length / 2);
+  for (const Tick& tick : axes.xAxis.ticks)
+    if (hasX) addX(tick.value, length);
+  for (const double value : axes.xAxis.minor)
+    if (hasX) addX(value, length / 2);
   for (const Tick& tick : axes.yAxis.ticks) addY(tick.value, length);
   for (const double value : axes.yAxis.minor) addY(value, length / 2);
 }
@@ -315,6 +319,15 @@ AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
   return padded(diagram.y, data, theory, true);
 }
 
+bool hasNoValues(const Diagram& diagram) {
+  if (diagram.field || !diagram.bars.empty()) return false;
+  const auto hasValue = [](const DiagramSeries& series) {
+    return std::ranges::any_of(series.points,
+                               [](const DiagramPoint& point) { return std::isfinite(point.y); });
+  };
+  return diagram.y.from == diagram.y.to && std::ranges::none_of(diagram.series, hasValue);
+}
+
 TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes) {
   const float size = sizes.tick;
@@ -373,8 +386,26 @@ bool fitsUpright(const std::string& title, float height, const DiagramSizes& siz
   return wholeTitle(title, sizes.axis, minTitleSize(sizes.axis), height).has_value();
 }
 
+bool fitsUprightInWords(const std::string& title, float height, const DiagramSizes& sizes) {
+  return textWidth(title, minTitleSize(sizes.axis)) <= height;
+}
+
 float belowAxes(const DiagramSizes& sizes) {
   return std::ceil(1.5F * sizes.tick + 2 * sizes.axis);
+}
+
+float axisLineWidth(const DiagramSizes& sizes) {
+  return std::max(1.0F, std::round(1.1F * sizes.unit));
+}
+
+float onWholePixels(float pixel, float width) {
+  return std::floor(pixel) + width / 2;
+}
+
+void addAxisFrame(DrawLayer& layer, const Box& box, float width, const Theme& theme) {
+  // It is around the box, as that of the contact.
+  addOutline(layer, {box.x - width / 2, box.y - width / 2, box.width + width, box.height + width},
+             width, theme.axis);
 }
 
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
@@ -382,29 +413,31 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
   const Box& box = axes.box;
   const float width = std::max(1.0F, std::round(sizes.unit));
   DrawLayer layer;
-  for (const Tick& tick : axes.yAxis.ticks)
-    addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, width,
-            theme.grid);
-  for (const Tick& tick : axes.xAxis.ticks)
-    addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, width,
-            theme.grid);
+  for (const Tick& tick : axes.yAxis.ticks) {
+    const float y = onWholePixels(axes.py(tick.value), width);
+    addLine(layer, {{box.x, y}, {box.right(), y}}, width, theme.grid);
+  }
+  for (const Tick& tick : axes.xAxis.ticks) {
+    const float x = onWholePixels(axes.px(tick.value), width);
+    addLine(layer, {{x, box.y}, {x, box.bottom()}}, width, theme.grid);
+  }
   list.layers.push_back(std::move(layer));
 }
 
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                      const Theme& theme, float above) {
   const Box& box = axes.box;
-  const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
-  const Rgba colour = mix(theme.text, theme.axis, 0.35F);
+  const float width = axisLineWidth(sizes);
+  const Rgba& colour = theme.axis;
   DrawLayer layer;
   const float reach = std::round(6 * sizes.unit);
   if (sizes.ticks != TickSide::None)
     addTickMarks(layer, axes, colour, width, sizes.ticks == TickSide::Inside ? reach : -reach);
-  addOutline(layer, box, width, colour);
+  addAxisFrame(layer, box, width, theme);
   list.layers.push_back(std::move(layer));
   DiagramAxes labelled = axes;
   if (!axes.hasXLabels) labelled.xAxis.ticks.clear();
-  addTickLabels(list, labelled, theme.text, sizes.tick);
+  addTickLabels(list, labelled, theme.faintText, sizes.tick);
   if (axes.hasXLabels)
     addTitle(
         list, axes.xAxis.title,

@@ -20,6 +20,10 @@ AxisRange xRange(const Diagram& diagram);
 /// Returns the y-range of the points inside the x-range; theory lines widen it a little.
 AxisRange yRange(const Diagram& diagram, const AxisRange& inX);
 
+/// Returns whether the y-axis has no values, as that of a motion before its first step: its numbers
+/// would mean nothing.
+bool hasNoValues(const Diagram& diagram);
+
 /// An axis with as many ticks as fit its length.
 struct TickedAxis {
   AxisScale scale = AxisScale::Linear;
@@ -70,6 +74,17 @@ float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
 /// Returns whether a title, or at least its symbol and unit, fits upright beside a frame of this
 /// height.
 bool fitsUpright(const std::string& title, float height, const DiagramSizes& sizes);
+
+/// Returns whether the whole title fits upright beside a frame of this height.
+bool fitsUprightInWords(const std::string& title, float height, const DiagramSizes& sizes);
+
+/// Returns the width of the lines of axes, whole pixels.
+float axisLineWidth(const DiagramSizes& sizes);
+/// Returns the middle of a line of a whole width that covers whole pixels; between them it would be
+/// pale and wide.
+float onWholePixels(float pixel, float width);
+/// Adds the frame around a box.
+void addAxisFrame(DrawLayer& layer, const Box& box, float width, const Theme& theme);
 
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme);

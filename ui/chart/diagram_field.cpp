@@ -274,13 +274,13 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   DiagramAxes axes;
   axes.box = bar;
   axes.yAxis = colours;
-  const Rgba colour = mix(theme.text, theme.axis, 0.35F);
-  const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
-  addOutline(layer, bar, width, colour);
+  const float width = axisLineWidth(sizes);
+  addAxisFrame(layer, bar, width, theme);
   const float reach = std::round(5 * sizes.unit);
   const auto addTick = [&](double value, float length) {
-    const float y = axes.py(value);
-    addLine(layer, {{bar.right(), y}, {bar.right() - length, y}}, width, colour);
+    const float y = onWholePixels(axes.py(value), width);
+    addLine(layer, {{bar.right(), y}, {bar.right() - length, y}}, width,
+            mix(theme.text, theme.axis, 0.35F));
   };
   for (const Tick& tick : colours.ticks) addTick(tick.value, reach);
   for (const double value : colours.minor) addTick(value, reach / 2);
@@ -288,7 +288,7 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   for (const Tick& tick : colours.ticks)
     addLabel(list, tick.label,
              {bar.right() + 0.5F * sizes.tick, axes.py(tick.value) + kMiddleOfText * sizes.tick},
-             sizes.tick, TextAnchor::Left, theme.text);
+             sizes.tick, TextAnchor::Left, theme.faintText);
   const FittedTitle title = fittedTitle(colours.title, sizes.axis, frame.height);
   addLabel(list, title.text,
            {std::round(bar.right() + 0.5F * sizes.tick + widestLabel(colours.ticks, sizes.tick) +

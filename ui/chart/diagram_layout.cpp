@@ -18,11 +18,23 @@ struct Paragraph {
   float height() const { return static_cast<float>(lines.size()) * kLineHeight * size; }
 };
 
-/// Makes blanks non-breaking unless they follow a comma or semicolon: "G = 10 MPa" stays together.
+/// Returns whether a line may end at this blank: after a mark, or between two words. "G = 10 MPa"
+/// and "Eq. (11)" stay together.
+bool mayBreakAt(const std::string& text, std::size_t blank) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const std::size_t next = blank + 1;
+  if (blank < 2 || next + 1 >= text.size()) return false;
+  const char last = text[blank - 1];
+  if (last == ',' || last == ';') return true;
+  const bool beginsWord = isLetter(text[next]) && isLetter(text[next + 1]);
+  if (last == '.' || last == ':') return beginsWord;
+  return beginsWord && isLetter(last) && isLetter(text[blank - 2]);
+}
+
 std::string withHardBlanks(const std::string& text) {
   std::string joined;
   for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == ' ' && i > 0 && text[i - 1] != ',' && text[i - 1] != ';')
+    if (text[i] == ' ' && !mayBreakAt(text, i))
       joined += kHardBlank;
     else
       joined += text[i];
@@ -86,6 +98,12 @@ float fontSize(float size) {
   return std::max(kSmallestFont, std::round(size));
 }
 
+/// Returns whether a theme draws axes as black as texts.
+bool isForPrint(const Theme& theme) {
+  const Rgba &axis = theme.axis, &text = theme.text;
+  return axis.r == text.r && axis.g == text.g && axis.b == text.b;
+}
+
 std::size_t linesIn(float height, float size, std::size_t most) {
   return std::min(most, static_cast<std::size_t>(std::max(0.0F, height / (kLineHeight * size))));
 }
@@ -122,13 +140,7 @@ DiagramSizes sizesAround(const DiagramFormat& format) {
 DiagramSizes automaticSizes(const DiagramSheet& sheet, const DiagramOptions& options) {
   if (options.above && options.above->unit > 0) {
     const float unit = options.above->unit, letters = fontSize(12 * unit);
-    return {unit,
-            fontSize(19 * unit),
-            fontSize(14 * unit),
-            fontSize(14 * unit),
-            letters,
-            letters,
-            letters,
+    return {unit,   fontSize(19 * unit), letters, fontSize(14 * unit), letters, letters, letters,
             letters};
   }
   const float scale = options.scale > 0 ? options.scale : 1;
@@ -156,6 +168,10 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
   sizes.curve = options.format.lineWidth;
   sizes.legendMode = options.format.legend;
   sizes.ticks = options.format.ticks;
+  // On a screen ticks are outside, as those of the contact and of the chart in the window.
+  if (sizes.ticks == TickSide::Automatic)
+    sizes.ticks =
+        options.above || !isForPrint(options.theme) ? TickSide::Outside : TickSide::Inside;
   sizes.isPrinted = options.format.fontSize > 0;
   return sizes;
 }

@@ -22,9 +22,14 @@ bool isOver(const Box& part, const Box& whole) {
 }  // namespace
 
 DiagramPanel::DiagramPanel(const Diagram& diagram, const Box& cell, float above, bool hasXLabels,
-                           bool titleAbove, bool isAligned, const DiagramSizes& sizes,
+                           bool titleAbove, bool isAligned, bool isInRow, const DiagramSizes& sizes,
                            const Theme& theme)
-    : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme), isAligned_(isAligned) {
+    : diagram_(diagram),
+      cell_(cell),
+      sizes_(sizes),
+      theme_(theme),
+      isInRow_(isInRow),
+      isAligned_(isAligned) {
   axes_.hasXLabels = hasXLabels;
   axes_.titleAbove = titleAbove;
   top_ = std::round(cell.y + above + aboveAxes(axes_, sizes));
@@ -53,6 +58,10 @@ ChartGeometry DiagramPanel::geometry() const {
 bool DiagramPanel::hasTitle() const {
   return axes_.titleAbove || axes_.yAxis.title.empty() ||
          fitsUpright(axes_.yAxis.title, axes_.box.height, sizes_);
+}
+
+bool DiagramPanel::hasTitleInWords() const {
+  return axes_.titleAbove || fitsUprightInWords(axes_.yAxis.title, axes_.box.height, sizes_);
 }
 
 bool DiagramPanel::isReadable() const {
@@ -213,7 +222,8 @@ void DiagramPanel::arrangeLegend() {
       over.isWhole && rest > std::max(kMinHeight * frame.height, 5 * sizes_.tick);
   const bool hidesCurve = hidden_ > kLittleHidden;
   const bool isRoomAbove = over.height <= headroom_;
-  if (fitsAbove && (isRoomAbove || !(fitsBeside && beside.isWhole))) {
+  // Beside a frame in a row, a legend would make it narrower than the others.
+  if (fitsAbove && (isRoomAbove || isInRow_ || !(fitsBeside && beside.isWhole))) {
     place(0, over.height);
     legend_ = over;
     const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
@@ -281,6 +291,10 @@ void DiagramPanel::place(float right, float above) {
   axes_.yAxis = diagram_.bars.empty()
                     ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)
                     : barAxis(diagram_, 0.45F * cell_.width, sizes_);
+  if (hasNoValues(diagram_)) {
+    axes_.yAxis.ticks.clear();
+    axes_.yAxis.minor.clear();
+  }
   float bar = 0;
   if (diagram_.field) {
     colours_ = colourAxis(*diagram_.field, box.height, sizes_);

@@ -20,9 +20,11 @@ class DiagramPanel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
   /// `hasXLabels`: labels and title of the x-axis are drawn. `titleAbove`: the title of the y-axis
-  /// is over the frame. `isAligned`: alignTo() will be called. The diagram must outlive the panel.
+  /// is over the frame. `isAligned`: alignTo() will be called. `isInRow`: other panels stand beside
+  /// this one. The diagram must outlive the panel.
   DiagramPanel(const Diagram& diagram, const Box& cell, float above, bool hasXLabels,
-               bool titleAbove, bool isAligned, const DiagramSizes& sizes, const Theme& theme);
+               bool titleAbove, bool isAligned, bool isInRow, const DiagramSizes& sizes,
+               const Theme& theme);
 
   /// Sets the left and right edges of the frame, aligned with others; the legend is inside or above
   /// it.
@@ -36,6 +38,8 @@ class DiagramPanel {
 
   /// Returns whether the title of the y-axis fits.
   bool hasTitle() const;
+  /// Returns whether that title is shown in words, not by its symbol alone.
+  bool hasTitleInWords() const;
   /// Returns whether the frame is large enough to be drawn.
   bool isReadable() const;
   /// Returns whether the frame is readable, with an upright title beside it and at least two ticks.
@@ -76,6 +80,7 @@ class DiagramPanel {
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;
+  bool isInRow_;                // with others, whose frames have the same width
   bool isAligned_;              // with the frames of other diagrams or of a picture above
   float top_ = 0, bottom_ = 1;  // of the frame if no legend is above it
   float headroom_ = 0;          // minimum space above the frame

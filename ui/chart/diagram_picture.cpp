@@ -72,8 +72,8 @@ std::vector<DiagramPanel> panelsBetween(float top, float bottom, const DiagramSh
     }
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
     panels.emplace_back(sheet.diagrams[i], cells[i], above,
-                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, isAligned, sizes,
-                        options.theme);
+                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, isAligned,
+                        gridFor(sheet).columns > 1, sizes, options.theme);
   if (isAligned) {
     float left = 0, right = static_cast<float>(options.width);
     for (const DiagramPanel& panel : panels) {
@@ -168,6 +168,19 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
   return sheet;
 }
 
+/// Returns whether titles above the frames say more than upright ones, of which some are symbols,
+/// and leave the frames nearly as high. Only strips, several above a common axis, are so low.
+bool areBetterAbove(const DiagramSheet& sheet, const std::vector<DiagramPanel>& upright,
+                    const std::vector<DiagramPanel>& above) {
+  constexpr std::size_t kStrips = 3;
+  constexpr float kMin = 0.8F;  // of the height
+  if (!hasCommonAxis(sheet) || sheet.diagrams.size() < kStrips) return false;
+  if (std::ranges::all_of(upright, &DiagramPanel::hasTitleInWords)) return false;
+  for (std::size_t i = 0; i < upright.size(); ++i)
+    if (above[i].frame().height < kMin * upright[i].frame().height) return false;
+  return true;
+}
+
 /// Places the panels; heading and note are added to `list`. Titles of the y-axes are upright, or
 /// above all frames where they do not fit beside one and the frames leave enough space.
 std::vector<DiagramPanel> placePanels(const DiagramSheet& sheet, const DiagramOptions& options,
@@ -176,8 +189,10 @@ std::vector<DiagramPanel> placePanels(const DiagramSheet& sheet, const DiagramOp
   const float top = addHeading(list, sheet, sizes, options.theme);
   const float bottom = addNote(list, sheet, sizes, options.theme);
   std::vector<DiagramPanel> panels = panelsBetween(top, bottom, sheet, options, false);
-  if (std::ranges::all_of(panels, &DiagramPanel::hasTitle)) return panels;
+  const bool hasTitles = std::ranges::all_of(panels, &DiagramPanel::hasTitle);
+  if (hasTitles && std::ranges::all_of(panels, &DiagramPanel::hasTitleInWords)) return panels;
   std::vector<DiagramPanel> others = panelsBetween(top, bottom, sheet, options, true);
+  if (hasTitles && !areBetterAbove(sheet, panels, others)) return panels;
   return std::ranges::all_of(others, &DiagramPanel::isReadable) ? others : panels;
 }
 

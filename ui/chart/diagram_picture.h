@@ -27,7 +27,7 @@ struct DiagramFormat {
   float lineWidth = 0;    // of curves
   float minFontSize = 0;  // of any text
   LegendMode legend = LegendMode::Automatic;
-  TickSide ticks = TickSide::Inside;
+  TickSide ticks = TickSide::Automatic;
 };
 
 struct DiagramOptions {

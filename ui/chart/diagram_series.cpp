@@ -173,7 +173,7 @@ void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<S
     const DiagramSeries& series = diagram.series[i];
     for (const DiagramPoint& point : series.points) {
       const Bar bar = errorBar(point, axes);
-      const float half = styles[i].markSize / 2;
+      const float half = markWidth(styles[i].mark, styles[i].markSize) / 2;
       if (isDrawable(bar))
         map.addBox({bar.x - half, bar.high, 2 * half, bar.low - bar.high},
                    styles[i].isBand ? 0.25F : 0.6F);

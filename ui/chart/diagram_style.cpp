@@ -54,7 +54,8 @@ constexpr float kRing = 1.9F;  // relative to the other marks' size
 constexpr int kRingSides = 32;
 
 void addRing(DrawLayer& layer, DrawPoint at, float size, const Rgba& colour) {
-  const float width = std::max(1.0F, 0.2F * size), r = (kRing * size - width) / 2;
+  const float width = std::max(1.0F, 0.2F * size),
+              r = (markWidth(SeriesMark::Ring, size) - width) / 2;
   std::vector<DrawPoint> circle;
   for (int i = 0; i <= kRingSides; ++i) {
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRingSides;
@@ -95,6 +96,10 @@ std::vector<DrawPoint> markCorners(SeriesMark mark, DrawPoint at, float size) {
       break;
   }
   return {};
+}
+
+float markWidth(SeriesMark mark, float size) {
+  return mark == SeriesMark::Ring ? kRing * size : size;
 }
 
 void addMark(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, const Rgba& colour) {

@@ -39,6 +39,9 @@ inline constexpr float kLineOnFieldWidth = 1.6F, kEdgeOnFieldWidth = 4.2F;  // u
 /// empty for a circle, a ring and no mark.
 std::vector<DrawPoint> markCorners(SeriesMark mark, DrawPoint at, float size);
 
+/// Returns how wide a mark of this size is; a ring is wider than the mark that it encloses.
+float markWidth(SeriesMark mark, float size);
+
 /// Draws a filled mark with smooth edges.
 void addMark(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, const Rgba& colour);
 

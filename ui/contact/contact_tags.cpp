@@ -133,8 +133,10 @@ std::vector<Tag> forceTags(const Frame& frame, bool brief) {
   std::vector<Tag> tags;
   const ContactState state = drawnState(frame);
   if (state.normalForce > 0) tags.push_back(normalForceTag(frame));
-  // Without steady friction (no friction, or a state without it) rounding errors get no arrow.
-  if (totalFriction(state) > 0 && frictionForce(state) > 0)
+  // Without friction (none, a state without it, or one below its own error, as after a stop)
+  // rounding errors get no arrow.
+  const bool isKnown = !(frame.transient && totalFriction(state) < frame.muError);
+  if (totalFriction(state) > 0 && frictionForce(state) > 0 && isKnown)
     tags.push_back(frictionTag(frame, brief));
   return tags;
 }

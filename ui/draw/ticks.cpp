@@ -91,6 +91,22 @@ std::vector<Tick> decades(double from, double to, int most) {
   return ticks;
 }
 
+/// Writes multiples of powers of ten that are neither large nor small as plain numbers: "0.1",
+/// "0.2" and "0.5" are read at once, "2×10⁻¹" is not.
+std::vector<Tick> withPlainNumbers(std::vector<Tick> ticks) {
+  constexpr double kFrom = -2, kTo = 3;  // decimal logarithms; 1000 would have a separator
+  const auto isUsual = [](const Tick& tick) {
+    return tick.value > kFrom - kRounding && tick.value < kTo - kRounding;
+  };
+  if (!std::ranges::all_of(ticks, isUsual)) return ticks;
+  for (Tick& tick : ticks) {
+    const int decimals = -static_cast<int>(std::floor(tick.value + kRounding));
+    tick.label =
+        readingInLanguage(printedDecimals(std::pow(10.0, tick.value), std::max(decimals, 0)));
+  }
+  return ticks;
+}
+
 int tickCount(float pixels, float each) {
   return std::clamp(static_cast<int>(pixels / each), 2, kMaxTicks);
 }
@@ -224,11 +240,11 @@ std::vector<Tick> logTicks(double from, double to, int most) {
     if (std::ssize(ticks) >= least) return ticks;
     for (const std::vector<int>& factors : choices) {
       std::vector<Tick> finer = multiples(from, to, factors);
-      if (std::ssize(finer) >= least && std::ssize(finer) <= most) return finer;
+      if (std::ssize(finer) >= least && std::ssize(finer) <= most) return withPlainNumbers(finer);
     }
   }
   const std::vector<Tick> coarse = multiples(from, to, {1, 2, 5});
-  if (coarse.size() > 1) return {coarse.front(), coarse.back()};
+  if (coarse.size() > 1) return withPlainNumbers({coarse.front(), coarse.back()});
   return ticks;
 }
 

@@ -206,6 +206,84 @@ TEST(DiagramDrawing, DashesRepeatAlongTheCurve) {
   }
 }
 
+/// A line between two rows of pixels would be pale and twice as wide.
+TEST(DiagramDrawing, LinesOfAxesCoverWholePixels) {
+  const Theme& theme = lightTheme();
+  for (const float scale : {1.0F, 1.5F, 2.0F, 2.75F}) {
+    const DrawList list =
+        composeDiagrams(sheetOf({{0, 1}, {1, 3.3}, {2.7, 2}}), {901, 613, scale, theme});
+    int count = 0;
+    for (const Rgba& colour : {theme.axis, theme.grid})
+      for (const DrawLine& line : linesOf(list, colour)) {
+        EXPECT_EQ(line.width, std::round(line.width));
+        for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
+          const DrawVertex &from = line.vertices[i], &to = line.vertices[i + 1];
+          const float edge = (from.x == to.x ? from.x : from.y) - line.width / 2;
+          EXPECT_NEAR(edge, std::round(edge), 1e-3) << scale << " " << from.x << " " << from.y;
+          ++count;
+        }
+      }
+    EXPECT_GT(count, 20) << scale;
+  }
+}
+
+/// The name of a marker stands beside its ring, not on it.
+TEST(DiagramDrawing, TheNameOfAMarkerIsClearOfItsRing) {
+  for (const char* text : {"F = 3 N", "F = 3.4 mN", "v = 100 mm/s", "T = 298 K", "v = 1 m/s"})
+    for (const float scale : {1.0F, 1.5F, 2.0F}) {
+      DiagramSheet sheet = sheetOf({{0, 0}, {4, 2}});
+      sheet.diagrams.front().series.front().stroke = SeriesStroke::None;
+      sheet.diagrams.front().marker = DiagramMarker{"this line, now", text};
+      sheet.diagrams.front().marker->x = 0.5;
+      sheet.diagrams.front().marker->y = 0.9;
+      const DrawList list = composeDiagrams(sheet, {1660, 720, scale, printTheme()});
+      const DrawText* name = textOf(list, text);
+      ASSERT_TRUE(name) << text;
+      EXPECT_FALSE(same(name->colour, printTheme().text)) << "not as a curve's name";
+      const float half = textWidth(name->utf8, name->size) / 2;
+      constexpr std::size_t kRingVertices = 33;
+      int rings = 0;
+      for (const DrawLine& line : linesOf(list, seriesColour(kMarkerColour, printTheme()))) {
+        if (line.vertices.size() != kRingVertices) continue;
+        ++rings;
+        for (const DrawVertex& v : line.vertices) {
+          const bool isBeside = v.x + line.width / 2 < name->x - half - 1 ||
+                                v.x - line.width / 2 > name->x + half + 1;
+          const bool isAside = v.y + line.width / 2 < name->y - name->size ||
+                               v.y - line.width / 2 > name->y + 0.3F * name->size;
+          EXPECT_TRUE(isBeside || isAside) << text << " " << scale;
+        }
+      }
+      EXPECT_EQ(rings, 1);
+    }
+}
+
+/// A legend beside one of several diagrams would make it narrower than the others.
+TEST(DiagramDrawing, DiagramsInARowAreEquallyWide) {
+  DiagramSheet sheet;
+  for (const char* name : {"moduli (Pa)", "loss tangent", "share"}) {
+    Diagram diagram = sheetOf({{0, 1}, {1, 2}, {2, 3}}).diagrams.front();
+    diagram.y.title = name;
+    sheet.diagrams.push_back(diagram);
+  }
+  // The curves of the first leave no corner free.
+  DiagramSeries falling = sheet.diagrams[0].series[0], middle = falling;
+  falling.points = {{0, 3}, {1, 2}, {2, 1}};
+  middle.points = {{0, 2}, {1, 2}, {2, 2}};
+  sheet.diagrams[0].series[0].name = "G1";
+  falling.name = "G2";
+  sheet.diagrams[0].series.push_back(falling);
+  sheet.diagrams[0].series.push_back(middle);
+  DiagramOptions options{1120, 200, 1, lightTheme()};
+  options.minTextSize = 1;
+  const std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
+  ASSERT_EQ(frames.size(), 3U);
+  for (const ChartGeometry& frame : frames) {
+    EXPECT_NEAR(frame.area.width(), frames[0].area.width(), 2);
+    EXPECT_EQ(frame.area.top(), frames[0].area.top());
+  }
+}
+
 TEST(DiagramDrawing, DiagramsOfASheetAreEquallyHigh) {
   const DrawList list = composeDiagrams(figureSheets()[3].sheet, {2400, 1100, 2, lightTheme()});
   std::vector<float> tops, bottoms;

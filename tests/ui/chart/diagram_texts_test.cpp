@@ -438,6 +438,100 @@ TEST(DiagramTexts, OfLowStripsSayWhatAndHowMuch) {
   EXPECT_EQ(marks, 6) << texts;
 }
 
+/// A line of the note ends where the width does, not already at its first comma; a number stays
+/// with its unit.
+TEST(DiagramTexts, OfTheNoteFillTheirLines) {
+  DiagramSheet sheet = sheetOf({{0, 1}, {1, 3}, {2, 2}});
+  sheet.note =
+      "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
+      "maximum. It is the sum of the heights climbed by all contacts of one period; the border "
+      "moves with the period.";
+  for (const int width : {700, 760, 820, 900}) {
+    const DrawList list = composeDiagrams(sheet, {width, 500, 1, lightTheme()});
+    std::vector<const DrawText*> lines;
+    for (const DrawText& text : list.texts)
+      if (text.y > 440) lines.push_back(&text);
+    const auto first = std::ranges::find_if(
+        lines, [](const DrawText* text) { return text->utf8.starts_with("Regions"); });
+    ASSERT_NE(first, lines.end()) << width;
+    EXPECT_GT(textWidth((*first)->utf8, (*first)->size), 0.8 * (width - 36)) << (*first)->utf8;
+    for (const DrawText* text : lines) EXPECT_FALSE(text->utf8.starts_with("%")) << text->utf8;
+  }
+}
+
+/// A strip below a contact is too low for an upright name: it stands above the frame in words, not
+/// as a symbol that nothing explains.
+TEST(DiagramTexts, OfStripsNameThemInWords) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Oscillation;
+  scene.sliding.duration = 0.006;
+  std::vector<TransientSample> samples;
+  for (int i = 0; i <= 60; ++i) {
+    TransientSample sample;
+    sample.time = i * 1e-4;
+    sample.velocity = 0.5 * std::sin(0.3 * i);
+    sample.mu = 1e-3 * std::abs(std::sin(0.3 * i));
+    sample.indentation = 3e-7;
+    sample.contactLength = 6e-5;
+    samples.push_back(sample);
+  }
+  const DiagramSheet sheet = transientSheet(scene, samples, 4e-6, 0.02);
+  DiagramOptions options{1280, 317, 1, lightTheme(), 0.8F};
+  options.above = FrameAbove{60, 1262, 0};
+  const DrawList list = composeDiagrams(sheet, options);
+  expectTidy(list, "strips");
+  const std::string texts = "|" + allTexts(list);
+  for (const char* name :
+       {"|velocity v (", "|friction \u03BC", "|indentation d (", "|length per contact \u2113 ("})
+    EXPECT_NE(texts.find(name), texts.npos) << name << " in " << texts;
+  EXPECT_GE(lowestFrame(sheet, options), 3);
+}
+
+/// Before the first step a strip has no values; 0, 0.5 and 1 m of indentation would be nonsense.
+TEST(DiagramTexts, OfStripsWithoutValuesHaveNoNumbers) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Oscillation;
+  scene.sliding.duration = 0.006;
+  DiagramOptions options{1280, 317, 1, lightTheme(), 0.8F};
+  options.above = FrameAbove{60, 1262, 0};
+  const DrawList list = composeDiagrams(transientSheet(scene, {}, 4e-6, 0.02), options);
+  EXPECT_TRUE(says(list, "indentation d (m)")) << allTexts(list);
+  EXPECT_TRUE(says(list, "6")) << "the time";
+  EXPECT_FALSE(says(list, "0.5")) << allTexts(list);
+  EXPECT_FALSE(says(list, "1.0")) << allTexts(list);
+}
+
+/// On a screen, and below a contact, whose axes have their ticks outside, those of a chart are
+/// outside as well; in print they are inside, unless the user wishes them elsewhere.
+TEST(DiagramTexts, TicksAreInsideInPrintOnly) {
+  const DiagramSheet sheet = sheetOf({{0, 1}, {1, 3}, {2, 2}});
+  const auto inside = [&](TickSide side, bool isBelow, const Theme& theme = printTheme()) {
+    DiagramOptions options{900, 400, 1, theme};
+    options.format.ticks = side;
+    if (isBelow) options.above = FrameAbove{60, 880, 1};
+    const Box frame = [&] {
+      const QRectF area = diagramFrames(sheet, options).front().area;
+      return Box{static_cast<float>(area.x()), static_cast<float>(area.y()),
+                 static_cast<float>(area.width()), static_cast<float>(area.height())};
+    }();
+    // Short lines of the axis colour that hang from the upper edge into the frame.
+    int marks = 0;
+    for (const DrawLayer& layer : composeDiagrams(sheet, options).layers)
+      for (const DrawLine& line : layer.lines)
+        if (line.vertices.size() == 2 && line.vertices[0].x == line.vertices[1].x &&
+            line.vertices[0].y == frame.y && line.vertices[1].y > frame.y &&
+            line.vertices[1].y < frame.y + 20)
+          ++marks;
+    return marks;
+  };
+  EXPECT_GT(inside(TickSide::Automatic, false), 3);
+  EXPECT_EQ(inside(TickSide::Automatic, true), 0);
+  EXPECT_EQ(inside(TickSide::Automatic, false, lightTheme()), 0);
+  EXPECT_EQ(inside(TickSide::Automatic, false, darkTheme()), 0);
+  EXPECT_GT(inside(TickSide::Inside, true), 3);
+  EXPECT_EQ(inside(TickSide::Outside, false), 0);
+}
+
 /// Without the power of ten a number on the axis is wrong by it.
 TEST(DiagramTexts, OfStripsKeepUnitsAndPowersOfTenAtAnySize) {
   Scene scene;

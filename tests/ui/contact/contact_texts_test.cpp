@@ -277,6 +277,21 @@ TEST(ContactTexts, FrictionIsShownOnlyWhereThereIsSome) {
   }
 }
 
+/// After a stop friction decays below the error of its elements and steps: an arrow would give a
+/// direction and digits to what is only rounding.
+TEST(ContactTexts, FrictionBelowItsErrorHasNoArrow) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.transient = std::make_shared<const std::vector<TransientSample>>();
+  frame.muMarch = 1e-3;
+  frame.muError = 1e-5;
+  EXPECT_NE(allTexts(frame).find("tangential force F|"), std::string::npos);
+  frame.muError = 2e-3;
+  EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos);
+  EXPECT_NE(allTexts(frame).find("F|N|"), std::string::npos);
+}
+
 /// Numbers of the colour bar lie below it or, in a low picture, beside it.
 TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
   SampleOptions options;

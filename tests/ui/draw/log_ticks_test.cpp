@@ -34,13 +34,16 @@ TEST(LogTicks, ThinnedToRoundExponents) {
 
 TEST(LogTicks, MultiplesWhereDecadesAreFew) {
   EXPECT_EQ(labels(2.2, 3.8, 10), "2×10² 5×10² 10³ 2×10³ 5×10³ ");
-  EXPECT_EQ(labels(0.45, 0.65, 10), "3×10⁰ 4×10⁰ ");
+  EXPECT_EQ(labels(0.45, 0.65, 10), "3 4 ");
+  EXPECT_EQ(labels(-1.05, -0.25, 10), "0.1 0.2 0.5 ");
+  EXPECT_EQ(labels(-1.8, 0.1, 10), "0.02 0.05 0.1 0.2 0.5 1 ");
+  EXPECT_EQ(labels(-2.8, -1.2, 10), "2×10⁻³ 5×10⁻³ 10⁻² 2×10⁻² 5×10⁻² ");
 }
 
 /// One label alone says nothing of the scale.
 TEST(LogTicks, TwoWhereThereAreLessThanTwoDecades) {
   EXPECT_EQ(labels(2.2, 3.8, 2), "2×10² 5×10³ ");
-  EXPECT_EQ(labels(0.1, 1.9, 4), "3×10⁰ 10¹ 3×10¹ ");
+  EXPECT_EQ(labels(0.1, 1.9, 4), "3 10 30 ");
   for (double from = -9; from < 9; from += 0.37)
     for (double width = 0.8; width < 2.5; width *= 1.1)
       for (const int most : {2, 3, 4, 5, 9}) {

@@ -29,7 +29,7 @@ namespace asperity {
 namespace {
 
 // On paper, in millimetres.
-constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
+constexpr double kMargin = 22, kShownWidth = 166, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
                  kFootHeight = 8;
 constexpr double kShort = 0.72;       // part of a page; what is shorter stays together
 constexpr double kLessHeight = 0.15;  // part of a picture by which it may be smaller to fit

@@ -28,7 +28,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kContactWidth = 1500, kContactHeight = 420, kChartWidth = 1300, kChartHeight = 600;
+// Both pictures have the width of the text and letters of the same size.
+constexpr int kPictureWidth = 1660, kContactHeight = 640, kChartHeight = 720;
 constexpr float kPictureScale = 2;
 
 Scene untitled(Scene scene) {
@@ -134,7 +135,7 @@ class HandoutMaker {
     if (isShown(contact_) || isShown(revealedContact_)) return;
     contact_ = scene;
     ContactPictureOptions options;
-    options.width = kContactWidth;
+    options.width = kPictureWidth;
     options.height = kContactHeight;
     options.scale = kPictureScale;
     options.theme = printTheme();
@@ -214,7 +215,7 @@ class HandoutMaker {
   void addSheet(DiagramSheet sheet, const QString& name) {
     sheet.title = sheet.subtitle = sheet.note = {};
     DiagramOptions options;
-    options.width = kChartWidth;
+    options.width = kPictureWidth;
     options.height = kChartHeight;
     options.scale = kPictureScale;
     options.theme = printTheme();

@@ -111,6 +111,22 @@ TEST(Handouts, AnEmptyChartHasTheStateFromWhichAGuessBegins) {
   FAIL() << "there is no empty chart";
 }
 
+/// On paper pictures of one width have letters of one size; a lower contact could not be seen.
+TEST(Handouts, PicturesAreEquallyWideAndHighEnoughToBeSeen) {
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  int width = 0, pictures = 0;
+  for (const HandoutBlock& block : handoutBlocks(lessonOf(sampleLesson()), teacher)) {
+    if (!block.picture) continue;
+    const QImage& image = block.picture->image;
+    if (width == 0) width = image.width();
+    EXPECT_EQ(image.width(), width) << block.picture->name.toStdString();
+    EXPECT_GT(image.height(), 0.35 * width) << block.picture->name.toStdString();
+    ++pictures;
+  }
+  EXPECT_GT(pictures, 2);
+}
+
 /// The same curve on another axis is another picture.
 TEST(Handouts, ACurveIsPrintedAgainOnALinearAxis) {
   Json json = sampleLesson();
