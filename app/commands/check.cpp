@@ -73,7 +73,7 @@ nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
 /// predicted, which takes a part of a second.
 std::optional<Message> costWarning(const Scene& scene, int threads) {
   if (scene.sliding.kind != SlidingKind::Steady || !choosesAccuracy(scene)) return {};
-  return warningOfTarget(scene, predictCurve(scene, threads));
+  return warningOf(scene, predictCurve(scene, threads));
 }
 
 /// Checks one scene; adds its answer to `answers`.

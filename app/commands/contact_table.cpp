@@ -30,6 +30,13 @@ std::string tableName(const RenderCommand& command) {
   return command.table.empty() ? "shape" : command.table;
 }
 
+/// Returns what the points of the frame do not resolve of the numbers in this table.
+std::optional<Message> coarsenessNote(const Frame& frame, const std::string& table) {
+  const bool hasPower = table == "shape" || table == "power";
+  const std::optional<Message> ofLoads = coarsePointsNote(frame);
+  return ofLoads || !hasPower ? ofLoads : coarsePowerNote(frame);
+}
+
 /// Throws for options of pictures and films.
 void checkUsage(const RenderCommand& command) {
   checkUseful(command.picture, {command.output});
@@ -88,7 +95,7 @@ int runContactTable(const RenderCommand& command) {
   const DataTable table = makeTable(frame);
   const bool isCsv = fileExtension(command.output) != ".json";
   const std::vector<Message> reading = readingFacts(scene);
-  const std::optional<Message> warning = coarsePointsNote(frame);
+  const std::optional<Message> warning = coarsenessNote(frame, name);
   const std::string json =
       isCsv && !command.common.json
           ? std::string()

@@ -39,7 +39,9 @@ std::string budgetText(const ErrorBudget& error) {
   add(Words::tr("force balance"), error.forceBalance);
   add(Words::tr("time step"), error.timeStep);
   add(Words::tr("settling"), error.settling);
-  const std::string text = fmt::format("{} ({})", percent(error.total()), parts);
+  const std::string total =
+      error.isStandardErrorUnknown ? Words::tr("unknown") : percent(error.total());
+  const std::string text = fmt::format("{} ({})", total, parts);
   if (!std::isfinite(error.modelDifference)) return text;
   return filled(Words::tr("%1; differs from the resolved line by %2"),
                 {text, percent(error.modelDifference)});
@@ -135,8 +137,7 @@ std::string explanationText(const Explanation& explanation) {
                              {timeText(predicted->seconds), threadsText(predicted->threads),
                               workText(*predicted)}),
                       mebibytes(predicted->memory), predicted->error);
-    if (const auto warning = warningOfTarget(scene, *predicted))
-      text += translated(*warning) + "\n";
+    if (const auto warning = warningOf(scene, *predicted)) text += translated(*warning) + "\n";
   }
   if (const auto& measured = explanation.measured)
     text += Words::tr("measured") + "\n" +

@@ -154,7 +154,7 @@ std::string explanationJson(const Explanation& explanation) {
         {"seconds", predicted->seconds},         {"threads", predicted->threads},
         {"memory_bytes", predicted->memory},     {"lines", predicted->lines},
         {"simulations", predicted->simulations}, {"relative_error", budgetJson(predicted->error)}};
-    if (const auto warning = warningOfTarget(explanation.scene, *predicted))
+    if (const auto warning = warningOf(explanation.scene, *predicted))
       root["predicted"]["warning"] = warning->english();
   }
   if (explanation.predicted && explanation.predicted->steps > 0) {

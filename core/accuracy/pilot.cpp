@@ -60,11 +60,11 @@ struct PilotSize {
     return (lines + 2 * refinedLines) * (1 + balance * velocities);
   }
 };
+/// Four lines at least: two of them agree by chance to a tenth of their spread in one case of
+/// twelve, and how alike neighbouring rows of a topography are shows in two pairs
+/// (varianceOfMean).
 constexpr PilotSize kPilotSizes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
-                                     {4, 2, 5},   {2, 1, 5},  {2, 1, 3}};
-
-/// How alike neighbouring rows of a topography are shows in two pairs at least (varianceOfMean).
-constexpr double kMinRows = 4;
+                                     {6, 2, 5},   {4, 2, 5},  {4, 1, 5}, {4, 1, 3}};
 
 }  // namespace
 
@@ -164,7 +164,7 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   PilotPlan plan{whole, whole};
   plan.runOperations = lines * whole.operations(1 + balance * velocities, points);
   const double wall = plan.runOperations / std::min(static_cast<double>(threads), lines);
-  const double allowed = std::clamp(0.1 * wall, kMinPilot, kMaxPilot);
+  const double tenth = std::clamp(0.1 * wall, kShortPilot, kMaxPilot);
   double perPoint = 0;
   for (const PilotSize& size : kPilotSizes) {
     const PilotSize fitting{std::min(size.lines, lines),
@@ -175,16 +175,16 @@ PilotPlan planPilot(const Scene& scene, int threads) {
     plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                 static_cast<std::int64_t>(fitting.velocities));
     perPoint = fitting.perPoint(balance);
-    const bool isFewest = mayHaveRows(scene.surface) && size.lines == kMinRows;
-    if (isFewest || whole.operations(perPoint, points) <= allowed) break;
+    if (whole.operations(perPoint, points) <= tenth) break;
   }
+  const double allowed = std::max(tenth, kMinPilot);
   plan.sample = sampleWithin(whole, perPoint, points, allowed);
   // The resolution is that of the run, whatever the number of the pilot's elements.
   if (scene.accuracy.scheme != Scheme::Nodal)
     plan.sample.scene.accuracy.oversampling = static_cast<std::int64_t>(points);
   const double timed = std::min(velocities, kTimedVelocities);
   const double withTimed = perPoint + kTimedLines * (1 + balance * timed);
-  if (plan.sample.operations(withTimed, points) <= allowed) {
+  if (plan.sample.operations(withTimed, points) <= tenth) {
     perPoint = withTimed;
     plan.timedVelocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                      static_cast<std::int64_t>(timed));

@@ -16,8 +16,10 @@
 namespace asperity {
 
 /// One operation prepares one point of a line, about 20 ns. A pilot may take a tenth of the run, at
-/// least kMinPilot (half a millisecond) and at most kMaxPilot (0.1 to 0.2 s for long lines).
-inline constexpr double kMinPilot = 2.5e4, kMaxPilot = 2e6;
+/// least kShortPilot (half a millisecond) and at most kMaxPilot (0.1 to 0.2 s for long lines). The
+/// smallest one (four lines at three velocities) may take kMinPilot (5 ms) before it is tried on a
+/// shorter line.
+inline constexpr double kShortPilot = 2.5e4, kMinPilot = 2.5e5, kMaxPilot = 2e6;
 
 /// A scene whose line may be shorter than the run's line.
 struct PilotScene {

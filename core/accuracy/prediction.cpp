@@ -37,7 +37,8 @@ class Pilot {
         source_(scene, curvePointsPerElement(scene), profile),
         sliding_(scene),
         velocities_(std::move(velocities)),
-        row_(velocities_.size()) {}
+        row_(velocities_.size()),
+        complete_(velocities_.size()) {}
 
   const LineSource& source() const { return source_; }
 
@@ -51,14 +52,21 @@ class Pilot {
     making_.push_back(made - begin);
     sweeping_.push_back(threadSeconds() - made);
     std::vector<double> mu;
-    for (const SteadyResult& result : row_) {
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      const SteadyResult& result = row_[i];
       mu.push_back(result.mu);
       residual_ = std::max(residual_, result.residual);
+      if (result.contactFraction >= 1) addComplete(i);
     }
     return mu;
   }
 
   double largestResidual() const { return residual_; }
+  /// Returns whether half of the lines or more were in complete contact at every velocity, some of
+  /// them with hardly more than the indentation that they need for it.
+  bool isJustComplete() const {
+    return !isClear_ && 2 * std::ranges::min(complete_) >= making_.size();
+  }
   /// Return the processor time to make one line, and to slide it at one velocity: medians.
   double secondsOfLine() const { return median(making_); }
   double secondsOfBalance() const {
@@ -69,6 +77,18 @@ class Pilot {
   }
 
  private:
+  /// Counts a state of the last line in complete contact, and finds whether it would also be at a
+  /// clearly smaller indentation.
+  void addComplete(std::size_t velocity) {
+    ++complete_[velocity];
+    if (!isClear_) return;
+    constexpr double kClear = 1.5;  // the indentation that lines need for it varies less
+    const double depth = row_[velocity].indentation / kClear;
+    const bool isNodal = scene_.accuracy.scheme == Scheme::Nodal;
+    isClear_ = sliding_.isComplete(isNodal ? prepareProfile(line_, Scheme::Linear) : prepared_,
+                                   depth, velocities_[velocity]);
+  }
+
   Scene scene_;
   LineSource source_;
   SteadySolver sliding_;
@@ -77,6 +97,8 @@ class Pilot {
   Line line_;
   PreparedProfile prepared_;
   double residual_ = 0;
+  std::vector<std::size_t> complete_;  // number of lines in complete contact at each velocity
+  bool isClear_ = true;
   std::vector<double> making_, sweeping_;  // s, for each line
 };
 
@@ -167,6 +189,10 @@ ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot,
         errors.push_back(std::sqrt(varianceOfMean(ofLines[i], pilot.source(), lines)) /
                          means[i].mean());
     if (!errors.empty()) error.standardError = rms(errors);
+    if (static_cast<double>(plan.lines) < lines && pilot.isJustComplete()) {
+      error.standardError = kNotApplicable;
+      error.isStandardErrorUnknown = true;
+    }
   }
   Pilot finer(refined(scene, 2), profile, plan.velocities);
   const auto fine = meansOver(finer, velocities, refinedLines, stop);
@@ -211,7 +237,12 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
 
 }  // namespace
 
-std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& prediction) {
+std::optional<Message> warningOf(const Scene& scene, const Prediction& prediction) {
+  if (prediction.error.isStandardErrorUnknown)
+    return message(
+        "the standard error is not known before the run: most of the lines that were tried are "
+        "just "
+        "in complete contact, where all have the same friction; other lines may not be");
   constexpr double kMany = 1e5;  // lines; a mean over so many of them is rarely meant
   if (!choosesAccuracy(scene) || prediction.lines < kMany) return {};
   const PrintedNumber lines{printedNumber(prediction.lines, 2)};
@@ -228,6 +259,7 @@ std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& pre
 }
 
 double ErrorBudget::total() const {
+  if (isStandardErrorUnknown) return kNotApplicable;
   double squares = 0;
   for (const double part : {resolution, standardError, forceBalance, timeStep, settling})
     if (std::isfinite(part)) squares += part * part;

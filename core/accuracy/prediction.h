@@ -29,7 +29,10 @@ struct ErrorBudget {
   // of a march: its beginning, compared with a longer march
   double settling = kNotApplicable;
   double modelDifference = kNotApplicable;  // `nodal` minus the resolved line; not an error
-  /// Returns the root of the sum of squares of the errors.
+  /// Whether a prediction could not judge the standard error: most lines that it tried are just in
+  /// complete contact, where they have the same friction, and others may not be.
+  bool isStandardErrorUnknown = false;
+  /// Returns the root of the sum of squares of the errors; NaN where one of them is unknown.
   double total() const;
 };
 
@@ -48,8 +51,9 @@ struct Prediction {
 };
 
 /// Returns a warning where the target accuracy of the scene needs unusually many lines: with their
-/// number and the time, or that they are more than a run computes. Nothing without such a target.
-std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& prediction);
+/// number and the time, or that they are more than a run computes. And where the standard error is
+/// unknown. Else nothing.
+std::optional<Message> warningOf(const Scene& scene, const Prediction& prediction);
 
 /// Predicts `curve` for this scene. threads: 0 means as many as the machine has.
 Prediction predictCurve(const Scene& scene, int threads = 0, const std::stop_token& stop = {});

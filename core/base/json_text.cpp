@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -230,15 +232,31 @@ std::optional<double> optionalNumberMember(const Json& object, const std::string
                                  : std::nullopt;
 }
 
+namespace {
+
+/// Returns the whole number of a JSON value; nothing where it has none that fits. An integer is
+/// read as it stands, because a double rounds those above 2^53.
+std::optional<std::int64_t> wholeNumber(const Json& json) {
+  constexpr double kExact = 9007199254740992;  // 2^53
+  if (json.is_number_unsigned() &&
+      json.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()})
+    return {};
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  const double number = json.is_number() ? json.get<double>() : 0.5;
+  if (number != std::floor(number) || std::abs(number) >= kExact) return {};
+  return static_cast<std::int64_t>(number);
+}
+
+}  // namespace
+
 std::int64_t integerMember(const Json& object, const char* member, std::int64_t least,
                            std::int64_t most, const std::string& where) {
-  const double number = object.at(member).is_number() ? object.at(member).get<double>() : 0.5;
-  if (number != std::floor(number) || number < static_cast<double>(least) ||
-      number > static_cast<double>(most))
+  const std::optional<std::int64_t> number = wholeNumber(object.at(member));
+  if (!number || *number < least || *number > most)
     refuseMember(memberPath(where, member),
                  message("{} is not a whole number from {} to {}",
                          shortened(jsonLine(object.at(member))), least, most));
-  return static_cast<std::int64_t>(number);
+  return *number;
 }
 
 std::string textMember(const Json& object, const char* member, const std::string& otherwise,

@@ -65,21 +65,26 @@ class WindowFit {
   /// expected is not taken for noise. Where such a fit is not determined, they are first the usual
   /// ones.
   std::optional<FittedShifts> solve(double start) {
-    if (!isVertical_) return iterate(start);
+    if (!isVertical_) return fitted(start);
     constexpr int kPasses = 4;
     constexpr double kMinDeviation = 1e-6;  // decades
     deviation_ = kMinDeviation;
-    if (!iterate(start)) deviation_ = kUsualVertical;
+    if (!fitted(start)) deviation_ = kUsualVertical;
     std::optional<FittedShifts> found;
     for (int i = 0; i < kPasses; ++i) {
       deviation_ = std::max(kMinDeviation, deviation_);
-      found = iterate(start);
+      found = fitted(start);
       if (!found) return {};
     }
     return found;
   }
 
  private:
+  std::optional<FittedShifts> fitted(double start) {
+    const std::optional<FittedShifts> found = iterate(start);
+    return found ? found : search(start);
+  }
+
   std::optional<FittedShifts> iterate(double shift) {
     constexpr int kMaxIterations = 60;
     constexpr double kLongestStep = 0.1, kConverged = 1e-10;  // decades
@@ -100,6 +105,53 @@ class WindowFit {
       if (std::abs(step) < kConverged) break;
     }
     if (!(std::abs(step) < 1e-4)) return {};
+    return estimate(shift);
+  }
+
+  /// Returns the sum of the squares that the best of all other unknowns leave at this shift, and
+  /// keeps these unknowns.
+  double squaresAt(double shift) {
+    assemble(shift, false);
+    coefficients_ = LeastSquares(system_).solve(data_);
+    return (data_ - system_ * coefficients_).squaredNorm();
+  }
+
+  /// Finds the minimum of these sums that is nearest to `start`: for noisy moduli, whose fitted
+  /// curves turn so much that the steps of the Gauss-Newton method go past it. Farther away the
+  /// curve may bend through the points of isotherms that no longer overlap. Returns nothing where
+  /// there is none.
+  std::optional<FittedShifts> search(double start) {
+    constexpr double kRange = 0.5, kStep = 0.02, kPrecision = 1e-7;  // decades
+    constexpr int kSteps = static_cast<int>(kRange / kStep);
+    std::vector<double> squares;
+    for (int i = -kSteps; i <= kSteps; ++i) squares.push_back(squaresAt(start + i * kStep));
+    std::optional<int> best;
+    for (int i = 1 - kSteps; i < kSteps; ++i) {
+      const auto k = static_cast<std::size_t>(i + kSteps);
+      const bool isMinimum = squares[k] <= squares[k - 1] && squares[k] < squares[k + 1];
+      if (isMinimum && (!best || std::abs(i) < std::abs(*best))) best = i;
+    }
+    if (!best) return {};
+    // Golden section between the neighbours.
+    constexpr double kGolden = 0.6180339887498949;
+    double low = start + (*best - 1) * kStep, high = start + (*best + 1) * kStep;
+    double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+    double ofLeft = squaresAt(left), ofRight = squaresAt(right);
+    while (high - low > kPrecision) {
+      if (ofLeft < ofRight) {
+        high = right, right = left, ofRight = ofLeft;
+        left = high - kGolden * (high - low);
+        ofLeft = squaresAt(left);
+      } else {
+        low = left, left = right, ofLeft = ofRight;
+        right = low + kGolden * (high - low);
+        ofRight = squaresAt(right);
+      }
+    }
+    const double shift = 0.5 * (low + high);
+    squaresAt(shift);
+    assemble(shift, true);
+    if (LeastSquares(system_).rank() < system_.cols()) return {};
     return estimate(shift);
   }
 

@@ -169,14 +169,45 @@ DataTable powerTable(const Frame& frame) {
             balance.dissipated(), balance.in - balance.dissipated()}}};
 }
 
+namespace {
+
+bool isNodal(const Frame& frame) {
+  return frame.scene && frame.scene->accuracy.scheme == Scheme::Nodal;
+}
+
+}  // namespace
+
 std::optional<Message> coarsePointsNote(const Frame& frame) {
   constexpr double kMaxDeviation = 0.05;
   const double part = normalForce(frame.pressure, frame.spacing) / frame.normalForce;
   if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
+  if (isNodal(frame))
+    return message(
+        "the loads of the elements add up to {} % of the normal force, because one element more or "
+        "less changes it by so much; more surface.elements change it by less",
+        printedPercent(part));
   return message(
       "the loads of the points add up to {} % of the normal force, because contacts are hardly "
       "longer than the distance between points; a larger accuracy.oversampling has more points",
       printedPercent(part));
+}
+
+std::optional<Message> coarsePowerNote(const Frame& frame) {
+  constexpr double kMaxDeviation = 0.005;
+  if (frame.transient || frame.isSettling) return std::nullopt;
+  const PowerBalance balance = powerOf(frame);
+  if (!(std::abs(balance.in) > 0)) return std::nullopt;
+  const double part = balance.dissipated() / balance.in;
+  if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
+  if (isNodal(frame))
+    return message(
+        "the powers of the elements add up to {} % of the power of friction: separate elements "
+        "balance it only where many of them are in each contact",
+        printedPercent(part, 4));
+  return message(
+      "the powers at the points add up to {} % of the power of friction, because the points or the "
+      "segments of the line are coarse; a larger accuracy.oversampling makes both finer",
+      printedPercent(part, 4));
 }
 
 Json derivedNumbers(const Frame& frame) {

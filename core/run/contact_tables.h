@@ -55,6 +55,12 @@ DataTable powerTable(const Frame& frame);
 /// force by more than a twentieth, because contacts are shorter than a few spacings; else empty.
 std::optional<Message> coarsePointsNote(const Frame& frame);
 
+/// Returns a note where the powers at the points of steady sliding add up to another power than
+/// that of friction, by more than half a per cent: the points are coarse for short contacts, or the
+/// line on which friction was computed has other points than the one that is drawn. Else empty. A
+/// motion has no such balance at one moment, because its springs take up power as well.
+std::optional<Message> coarsePowerNote(const Frame& frame);
+
 /// Numbers that follow from the frame and that a person reads off the picture: forces, contacts and
 /// gaps, loads, power, of the line, SI.
 nlohmann::ordered_json derivedNumbers(const Frame& frame);

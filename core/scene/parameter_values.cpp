@@ -57,6 +57,10 @@ void setReal(const Parameter& parameter, const RealField& field, Scene& scene,
 
 void setInteger(const Parameter& parameter, const IntegerField& field, Scene& scene,
                 const ParameterValue& value) {
+  const auto* exact = std::get_if<std::int64_t>(&value);
+  // A double would show an integer above 2^53 as its neighbour.
+  if (exact && *exact > field.maximum)
+    refuse(parameter, message("{} is outside {}", *exact, allowedText(parameter)));
   const double number = numberFrom(parameter, value);
   if (number != std::floor(number))
     refuse(parameter, message("{} is not a whole number; allowed is {}", plain(number),
@@ -195,6 +199,8 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
 
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text) {
   if (!isNumber(parameter)) return setValue(parameter, scene, std::string(text));
+  if (std::int64_t whole = 0; isWholeNumber(parameter) && readNumber(text, whole))
+    return setValue(parameter, scene, whole);
   const TypedQuantity typed = typedQuantity(text, quantityRule(parameter));
   if (typed.value) return setValue(parameter, scene, *typed.value);
   if (typed.isTooLarge)

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t kParts = 20;          // of a continuous axis, equally likely
 constexpr std::int64_t kMaxSeparate = 64;    // values of an axis that are kept apart
 constexpr std::int64_t kMaxSampled = 20000;  // simulations for percentiles and ranks
-constexpr int kGroups = 20;                  // of the jackknife
+constexpr int kGroups = 16;                  // of the jackknife
 
 /// Mean and variance of two streams of numbers and their covariance (Welford's recurrence).
 struct RunningCovariance {
@@ -106,15 +106,20 @@ class ColumnParts {
   bool isLogarithmic_ = false;
 };
 
-/// Sums of a Saltelli design over groups of blocks.
+/// Sums of a Saltelli design over groups of successive blocks. Successive Sobol points cover the
+/// space evenly, so that the groups differ by little; of every 16th one all would lie in the same
+/// sixteenth of an axis.
 class SobolSums {
  public:
-  SobolSums(std::size_t axes, double centre)
-      : axes_(axes), centre_(centre), sums_(kGroups * (3 + 2 * axes)) {}
+  /// blocks: of the whole design.
+  SobolSums(std::size_t axes, double centre, std::int64_t blocks)
+      : axes_(axes), centre_(centre), designed_(blocks), sums_(kGroups * (3 + 2 * axes)) {}
 
-  /// block: y of A, then y of A with each coordinate of B in turn, then y of B.
+  /// number: of the block in the design. block: y of A, then y of A with each coordinate of B in
+  /// turn, then y of B.
   void add(std::int64_t number, std::span<const double> block) {
-    double* const sums = sums_.data() + static_cast<std::size_t>(number % kGroups) * stride();
+    const auto group = static_cast<std::size_t>(number * kGroups / designed_);
+    double* const sums = sums_.data() + group * stride();
     const double a = block.front() - centre_, b = block.back() - centre_;
     sums[0] += 1;
     sums[1] += a + b;
@@ -132,14 +137,20 @@ class SobolSums {
   SobolIndex index(std::size_t axis) const {
     SobolIndex index;
     index.axis = axis;
-    const int groups = static_cast<int>(std::min<std::int64_t>(kGroups, blocks_));
+    std::vector<int> filled;
+    for (int group = 0; group < kGroups; ++group)
+      if (sums_[static_cast<std::size_t>(group) * stride()] > 0) filled.push_back(group);
+    const int groups = static_cast<int>(filled.size());
     if (groups < 2) return index;
+    const auto left = [&](int out) {
+      return out < 0 ? out : filled[static_cast<std::size_t>(out)];
+    };
     // Saltelli et al., Comput. Phys. Commun. 181, 259 (2010), Table 2: (b) for the first order,
     // and (f), Jansen's estimator, for the total effect.
     index.first =
-        jackknife(groups, [&](int leftOut) { return share(mean(3 + 2 * axis, leftOut), leftOut); });
+        jackknife(groups, [&](int out) { return share(mean(3 + 2 * axis, left(out)), left(out)); });
     index.total = jackknife(
-        groups, [&](int leftOut) { return share(mean(4 + 2 * axis, leftOut) / 2, leftOut); });
+        groups, [&](int out) { return share(mean(4 + 2 * axis, left(out)) / 2, left(out)); });
     return index;
   }
 
@@ -166,6 +177,7 @@ class SobolSums {
 
   std::size_t axes_;
   double centre_;
+  std::int64_t designed_;
   std::vector<double> sums_;
   std::int64_t blocks_ = 0;
 };
@@ -300,7 +312,8 @@ class Analysis {
   void addIndices(StudyAnalysis& analysis, const EachSimulation& each) const {
     std::vector<SobolSums> sums;
     for (const OutputAnalysis& output : analysis.outputs)
-      sums.emplace_back(space_.axes().size(), output.count > 0 ? output.mean : 0);
+      sums.emplace_back(space_.axes().size(), output.count > 0 ? output.mean : 0,
+                        space_.size() / members_);
     std::vector<std::vector<double>> blocks(sums.size());
     std::int64_t expected = -1;
     each([&](std::int64_t index, std::span<const double> numbers) {
@@ -315,7 +328,7 @@ class Analysis {
         const bool isWhole =
             blocks[k].size() == static_cast<std::size_t>(members_) && member == members_ - 1;
         if (isWhole && std::ranges::all_of(blocks[k], [](double y) { return std::isfinite(y); }))
-          sums[k].add(sums[k].blocks(), blocks[k]);
+          sums[k].add(index / members_, blocks[k]);
       }
     });
     for (std::size_t k = 0; k < sums.size(); ++k) {

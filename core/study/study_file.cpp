@@ -207,7 +207,7 @@ class StudyReader {
       refuseMember("samples", "is missing; only sampling grid does without");
     samples.count = integerMember(root_, "samples", 1, isSobol ? kMaxSobol : kMaxSimulations);
     if (root_.contains("seed"))
-      samples.seed = integerMember(root_, "seed", 0, std::int64_t{1} << 53);
+      samples.seed = integerMember(root_, "seed", 0, (std::int64_t{1} << 53) - 1);
     return samples;
   }
 

@@ -364,6 +364,10 @@
         <translation>Zeitschritt</translation>
     </message>
     <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
         <source>settling</source>
         <translation>Einschwingen</translation>
     </message>

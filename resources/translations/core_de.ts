@@ -1015,6 +1015,10 @@
         <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien, und der Lauf dauert etwa %2; der halbe Fehler braucht viermal so viele Linien</translation>
     </message>
     <message>
+        <source>the standard error is not known before the run: most of the lines that were tried are just in complete contact, where all have the same friction; other lines may not be</source>
+        <translation>der Standardfehler ist vor dem Lauf nicht bekannt: Die meisten der versuchten Linien haben gerade vollständigen Kontakt, in dem die Reibung aller gleich ist; andere Linien womöglich nicht</translation>
+    </message>
+    <message>
         <source>accuracy.target_relative_error is not reached: %1; the mean over all rows of the surface is uncertain by %2, which only a larger piece of the surface lowers</source>
         <translation>accuracy.target_relative_error wird nicht erreicht: %1; das Mittel über alle Zeilen der Oberfläche ist um %2 unsicher, was nur ein größeres Stück der Oberfläche verringert</translation>
     </message>
@@ -3481,6 +3485,18 @@
     <message>
         <source>the loads of the points add up to %1 % of the normal force, because contacts are hardly longer than the distance between points; a larger accuracy.oversampling has more points</source>
         <translation>die Lasten der Punkte ergeben zusammen %1 % der Normalkraft, weil Kontakte kaum länger sind als der Abstand der Punkte; ein größeres accuracy.oversampling hat mehr Punkte</translation>
+    </message>
+    <message>
+        <source>the powers at the points add up to %1 % of the power of friction, because the points or the segments of the line are coarse; a larger accuracy.oversampling makes both finer</source>
+        <translation>die Leistungen an den Punkten ergeben zusammen %1 % der Reibungsleistung, weil die Punkte oder die Segmente der Linie grob sind; ein größeres accuracy.oversampling macht beide feiner</translation>
+    </message>
+    <message>
+        <source>the powers of the elements add up to %1 % of the power of friction: separate elements balance it only where many of them are in each contact</source>
+        <translation>die Leistungen der Elemente ergeben zusammen %1 % der Reibungsleistung: Einzelne Elemente gleichen sie nur aus, wo viele von ihnen in jedem Kontakt liegen</translation>
+    </message>
+    <message>
+        <source>the loads of the elements add up to %1 % of the normal force, because one element more or less changes it by so much; more surface.elements change it by less</source>
+        <translation>die Lasten der Elemente ergeben zusammen %1 % der Normalkraft, weil ein Element mehr oder weniger sie so stark ändert; mehr surface.elements ändern sie weniger</translation>
     </message>
     <message>
         <source>line %1: %2</source>

@@ -262,18 +262,18 @@ TEST(Prediction, WarnsOfATargetThatNeedsVeryManyLines) {
   Prediction prediction;
   prediction.lines = 4e5;
   prediction.seconds = 9000;
-  EXPECT_FALSE(warningOfTarget(scene, prediction)) << "the lines of a scene are its own choice";
+  EXPECT_FALSE(warningOf(scene, prediction)) << "the lines of a scene are its own choice";
   scene.accuracy.targetRelativeError = 1e-6;
-  const auto many = warningOfTarget(scene, prediction);
+  const auto many = warningOf(scene, prediction);
   ASSERT_TRUE(many);
   EXPECT_NE(many->english().find("the run takes about 9000 s"), std::string::npos)
       << many->english();
   prediction.lines = 4e7;
-  const auto tooMany = warningOfTarget(scene, prediction);
+  const auto tooMany = warningOf(scene, prediction);
   ASSERT_TRUE(tooMany);
   EXPECT_NE(tooMany->english().find("may miss the target"), std::string::npos);
   prediction.lines = 500;
-  EXPECT_FALSE(warningOfTarget(scene, prediction));
+  EXPECT_FALSE(warningOf(scene, prediction));
 }
 
 }  // namespace

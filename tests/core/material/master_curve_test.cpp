@@ -56,6 +56,24 @@ TEST(MasterCurve, StandardErrorsSayHowFarNoiseMovesThem) {
   EXPECT_LE(beyondThree, count / 100);
 }
 
+/// With 5 % noise the steps of the Gauss-Newton method may go past the least sum of squares; the
+/// shift there still has the error sqrt(C_ss S / f) of its covariance.
+TEST(MasterCurve, EveryShiftOfNoisyIsothermsHasAStandardError) {
+  int beyondThree = 0, count = 0;
+  for (const int points : {7, 11, 15})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const MasterCurve curve = masterCurve(SyntheticRubber().sweeps(points, 0.05, seed), 298.15);
+      for (const IsothermShift& shift : curve.shifts) {
+        ASSERT_TRUE(std::isfinite(shift.standardError)) << points << " points, seed " << seed;
+        if (shift.temperature == 298.15) continue;
+        const double error = shift.log10Shift - SyntheticRubber::log10Shift(shift.temperature);
+        ++count;
+        beyondThree += std::abs(error) > 3 * shift.standardError ? 1 : 0;
+      }
+    }
+  EXPECT_LE(beyondThree, count / 15);
+}
+
 TEST(MasterCurve, NoiseAloneDoesNotMakeARubberComplex) {
   int complex = 0;
   for (unsigned seed = 1; seed <= 20; ++seed)

@@ -100,6 +100,27 @@ TEST(Parameters, MessagesSayWhatIsWrongAndWhatIsAllowed) {
   }
 }
 
+/// A double would show 2^53 + 1 as 2^53.
+TEST(Parameters, ARefusedWholeNumberIsShownWithEveryDigit) {
+  Scene scene;
+  const auto refusal = [&](const ParameterValue& value, bool isText) -> std::string {
+    try {
+      if (isText)
+        setFromText(*findParameter("surface.seed"), scene, std::get<std::string>(value));
+      else
+        setValue(*findParameter("surface.seed"), scene, value);
+      return "none";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const std::string text = "surface.seed: 9007199254740993 is outside 0 to 9007199254740991";
+  EXPECT_EQ(refusal(std::int64_t{9007199254740993}, false), text);
+  EXPECT_EQ(refusal("9007199254740993", true), text);
+  EXPECT_EQ(refusal("9007199254740991", true), "none");
+  EXPECT_EQ(scene.surface.seed, 9007199254740991);
+}
+
 TEST(Parameters, NearestKeyForgivesTypingErrors) {
   EXPECT_EQ(nearestKey("surface.hurts"), "surface.hurst");
   EXPECT_EQ(nearestKey("load.normalforce"), "load.normal_force");

@@ -93,6 +93,21 @@ TEST(StudyFile, ItsCanonicalTextIsAStudyWithTheSameMeaning) {
   }
 }
 
+/// A double holds whole numbers up to 2^53; 2^53 + 1 would become 2^53, and with it another sample.
+TEST(StudyFile, ASeedKeepsEveryDigitOrIsRefused) {
+  const auto withSeed = [](const std::string& seed) {
+    return R"("sampling":"sobol","samples":100,"seed":)" + seed +
+           R"(,"space":{"surface.hurst":{"from":0.1,"to":1}})";
+  };
+  EXPECT_EQ(parse(withSeed("9007199254740991")).space.seed(), 9007199254740991);
+  for (const char* seed : {"9007199254740992", "9007199254740993", "18446744073709551615", "-1",
+                           "1.5", "9007199254740993.0"})
+    EXPECT_THAT(refusal(withSeed(seed)), testing::HasSubstr("seed")) << seed;
+  EXPECT_THAT(
+      refusal(withSeed("9007199254740993")),
+      testing::HasSubstr("9007199254740993 is not a whole number from 0 to 9007199254740991"));
+}
+
 TEST(StudyFile, TheTitleIsNoPartOfTheStudy) {
   EXPECT_EQ(parse(R"("title":"a","space":{"surface.hurst":[0.3]})").digest,
             parse(R"("title":"b","space":{"surface.hurst":[0.3]})").digest);

@@ -254,7 +254,7 @@ void AccuracyPanel::predict() {
 
 void AccuracyPanel::showPrediction(const Prediction& prediction) {
   QStringList warnings;
-  if (const auto warning = warningOfTarget(scene_, prediction))
+  if (const auto warning = warningOf(scene_, prediction))
     warnings += withLabels(translatedText(*warning));
   showWarnings(*warning_, warnings);
   if (prediction.steps > 0)
