@@ -240,9 +240,8 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
 std::optional<Message> warningOf(const Scene& scene, const Prediction& prediction) {
   if (prediction.error.isStandardErrorUnknown)
     return message(
-        "the standard error is not known before the run: most of the lines that were tried are "
-        "just "
-        "in complete contact, where all have the same friction; other lines may not be");
+        "the standard error is not known before the run: most of the lines that were tried "
+        "are just in complete contact, where all have the same friction; other lines may not be");
   constexpr double kMany = 1e5;  // lines; a mean over so many of them is rarely meant
   if (!choosesAccuracy(scene) || prediction.lines < kMany) return {};
   const PrintedNumber lines{printedNumber(prediction.lines, 2)};
