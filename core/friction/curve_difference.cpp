@@ -105,7 +105,7 @@ Message settingName(const CurveSetting& setting) {
       setting.realizations == 1 ? Message("1 line") : message("{} lines", setting.realizations);
   return setting.scheme == Scheme::Nodal
              ? listed({scheme, lines})
-             : listed({message("{} \u00D7{}", scheme, setting.oversampling), lines});
+             : listed({message("{} x{}", scheme, setting.oversampling), lines});
 }
 
 Scene withSetting(Scene scene, const CurveSetting& setting) {

@@ -25,7 +25,7 @@ struct CurveSetting {
   bool operator==(const CurveSetting&) const = default;
 };
 
-/// Returns "cubic ×8, 20 lines"; nodal has no oversampling.
+/// Returns "cubic x8, 20 lines"; nodal has no oversampling.
 Message settingName(const CurveSetting& setting);
 
 /// Returns the scene with this setting; its target accuracy, if any, is dropped.

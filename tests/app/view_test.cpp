@@ -216,18 +216,18 @@ TEST_F(ViewTest, OptionsOfAnotherLayoutAreRefused) {
 TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
   run("curve s.json -o c.svg -o c.csv -o c.json --compare linear:4:5 --with load.normal_force=0.1"
       " --with 'surface.hurst=0.5;load.normal_force=1'");
-  EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("linear ×4, 5 lines"), HasSubstr("100 mN")));
+  EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("linear x4, 5 lines"), HasSubstr("100 mN")));
   const std::string table = read("c.csv");
   EXPECT_THAT(table, AllOf(StartsWith("# asperity: "), HasSubstr("relative_difference"),
                            HasSubstr("\n\"H = 0.5, F\u2099 = 1 N"),
-                           HasSubstr("\n\"linear ×4, 5 lines\",")));
+                           HasSubstr("\n\"linear x4, 5 lines\",")));
   const Json answer = Json::parse(read("c.json"));
   EXPECT_EQ(answer["points"].size(), 5U);
   EXPECT_EQ(answer["with"].size(), 2U);
   EXPECT_EQ(answer["compared"]["points"].size(), 5U);
   // The same difference and error in every table.
   const Json& compared = answer["compared"]["points"][2];
-  const std::string row = table.substr(table.find("\n\"linear ×4, 5 lines\",") + 1);
+  const std::string row = table.substr(table.find("\n\"linear x4, 5 lines\",") + 1);
   std::istringstream rows(row);
   std::string line;
   for (int k = 0; k < 3; ++k) std::getline(rows, line);

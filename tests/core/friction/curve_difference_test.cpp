@@ -127,7 +127,7 @@ TEST(CurveDifference, NeedsNoTargetAndSteadySliding) {
 }
 
 TEST(CurveDifference, SettingsHaveNames) {
-  EXPECT_EQ(settingName(CurveSetting{Scheme::Cubic, 8, 20}).english(), "cubic ×8, 20 lines");
+  EXPECT_EQ(settingName(CurveSetting{Scheme::Cubic, 8, 20}).english(), "cubic x8, 20 lines");
   EXPECT_EQ(settingName(CurveSetting{Scheme::Nodal, 8, 1}).english(), "nodal, 1 line");
 }
 

@@ -466,13 +466,13 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndShortenedAtSemicolonsToo) {
   EXPECT_TRUE(legend->entryLines(7)[0].endsWith(u';'));
   EXPECT_EQ(legend->entryLines(7).join(' ').toStdString(), diagram.series[0].name.text);
   diagram.series[0].id = kPresentCurve;
-  diagram.series[0].name = "kubisch ×8; 200 Linien minus die Kurve darüber; mit allen Theorien";
+  diagram.series[0].name = "kubisch x8; 200 Linien minus die Kurve darüber; mit allen Theorien";
   for (int i = 0; i < 2; ++i) diagram.series.push_back(diagram.series[0]);
   view_->setSheet(sheet);
   view_->resize(500, 220);
   EXPECT_TRUE(QTest::qWaitFor([&] {
     const QString name = legend->entryLines(kPresentCurve).join(' ');
-    return name == "kubisch ×8" || name == "kubisch ×8; 200 Linien minus die Kurve darüber";
+    return name == "kubisch x8" || name == "kubisch x8; 200 Linien minus die Kurve darüber";
   })) << legend->entryLines(kPresentCurve).join(' ').toStdString();
 }
 

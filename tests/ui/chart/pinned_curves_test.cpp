@@ -215,7 +215,7 @@ TEST_F(PinnedCurves, ADifferenceStandsInTheStripWhileItIsOfThisCurve) {
   const DiagramAxis axis = diagram_.sheet().diagrams[1].y;
   EXPECT_LT(axis.from, 0);
   EXPECT_GT(axis.to, 0);
-  EXPECT_TRUE(strip.name.english().starts_with("linear ×1, 2 lines"));
+  EXPECT_TRUE(strip.name.english().starts_with("linear x1, 2 lines"));
   EXPECT_TRUE(diagram_.describe(kDifferenceCurve, 3).contains("difference"));
   diagram_.expect(stiff());
   EXPECT_TRUE(seriesOf(diagram_.sheet(), kDifferenceCurve)->isFaded);

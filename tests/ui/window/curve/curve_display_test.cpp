@@ -126,7 +126,7 @@ TEST_F(CurveDisplayTest, ASettingChosenInTheAccuracyPanelIsComparedBelowTheCurve
   };
   const auto strip = [this] { return session().friction().sheet().diagrams.at(1).series.at(1); };
   ASSERT_TRUE(waitFor(isComplete));
-  EXPECT_EQ(strip().name.english(), "linear ×3, 5 lines minus the curve above");
+  EXPECT_EQ(strip().name.english(), "linear x3, 5 lines minus the curve above");
   const auto own = frictionCurve(session().scene()).points;
   const auto other = frictionCurve(withSetting(session().scene(), {Scheme::Linear, 3, 5})).points;
   const DiagramPoint shown = strip().points[2];
