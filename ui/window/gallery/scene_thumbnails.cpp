@@ -107,6 +107,7 @@ QImage diagramImage(DiagramSheet sheet, const Theme& theme) {
   options.theme = theme;
   options.format.lineWidth = 9;
   options.format.legend = LegendMode::None;
+  options.format.ticks = TickSide::None;
   const QSize finer = 2 * kScenePicture;
   const auto frame = [&] {
     const std::vector<ChartGeometry> frames = diagramFrames(sheet, options);

@@ -61,24 +61,38 @@ TEST(ScenePicture, EverySceneHasOneInBothThemes) {
     }
 }
 
-/// The tick marks of both axes are equally long, so that marks of points are round.
+/// Returns how much darker than the ground the strongest grid line is that these pixels cross, as a
+/// sum over its width.
+int inkOfGridLine(const std::vector<int>& values) {
+  const int ground = std::ranges::max(values);
+  int ink = 0, most = 0;
+  for (const int value : values) {
+    ink = value < ground ? ink + ground - value : 0;
+    most = std::max(most, ink);
+  }
+  return most;
+}
+
+/// Grid lines of both directions are equally wide, so that marks of points are round.
 TEST(ScenePicture, ACurveIsNotStretched) {
   const QImage image = drawScenePicture({}, SceneView::Curve, lightTheme());
-  constexpr int kAside = 20, kMax = 40;  // pixels: from corners, and of a tick mark
-  const auto isDark = [&](int x, int y) { return image.pixelColor(x, y).value() < 140; };
-  int level = 0, upright = 0;
-  for (int y = kAside; y < image.height() - kAside; ++y) {
-    int length = 0;
-    while (length < kMax && isDark(image.width() - 1 - length, y)) ++length;
-    level = std::max(level, length);
+  // The upper left corner is far from the curve, whose friction rises with velocity.
+  constexpr int kEdge = 16;
+  const int right = image.width() / 4, lower = image.height() / 4;
+  const auto value = [&](int x, int y) { return image.pixelColor(x, y).value(); };
+  int upright = 0, level = 0;
+  for (int y = kEdge; y < lower; ++y) {
+    std::vector<int> row;
+    for (int x = kEdge; x < right; ++x) row.push_back(value(x, y));
+    upright = std::max(upright, inkOfGridLine(row));
   }
-  for (int x = kAside; x < image.width() - kAside; ++x) {
-    int length = 0;
-    while (length < kMax && isDark(x, image.height() - 1 - length)) ++length;
-    upright = std::max(upright, length);
+  for (int x = kEdge; x < right; ++x) {
+    std::vector<int> column;
+    for (int y = kEdge; y < lower; ++y) column.push_back(value(x, y));
+    level = std::max(level, inkOfGridLine(column));
   }
-  EXPECT_GE(level, 4);
-  EXPECT_EQ(level, upright);
+  EXPECT_GT(level, 10);
+  EXPECT_NEAR(static_cast<double>(upright) / level, 1, 0.1);
 }
 
 class Thumbnails : public testing::Test {
