@@ -144,9 +144,9 @@ class MotionMeans {
   }
 
  private:
-  static constexpr std::array kMeans{&TransientSample::velocity, &TransientSample::mu,
-                                     &TransientSample::contactFraction,
-                                     &TransientSample::contactLength};
+  static constexpr std::array kMeans{
+      &TransientSample::velocity, &TransientSample::mu, &TransientSample::contactFraction,
+      &TransientSample::contactLength, &TransientSample::predictedRate};
   struct Part {
     double time = 0, indentation = 0, errors = 0, squares = 0;
     std::array<double, kMeans.size()> sums{};
@@ -170,6 +170,7 @@ class MotionEnvelope {
     part.last = row.time;
     for (std::size_t i = 0; i < kDrawn.size(); ++i) {
       const double value = row.*kDrawn[i];
+      if (!std::isfinite(value)) continue;
       Extremes& known = part.extremes[i];
       if (value < known.low) known = {value, known.high, false};
       if (value > known.high) known = {known.low, value, true};
@@ -186,6 +187,7 @@ class MotionEnvelope {
         sample.time = end == 0 ? part.first : part.last;
         for (std::size_t i = 0; i < kDrawn.size(); ++i) {
           const Extremes& known = part.extremes[i];
+          if (known.low > known.high) continue;  // never known
           const bool isHigh = known.isHighLast == (end == 1);
           sample.*kDrawn[i] = isHigh ? known.high : known.low;
         }
@@ -198,8 +200,9 @@ class MotionEnvelope {
   // more than the width of a usual picture in pixels
   static constexpr std::int64_t kStrokes = 1500;
   static constexpr std::array kDrawn{
-      &TransientSample::velocity, &TransientSample::mu, &TransientSample::indentation,
-      &TransientSample::contactFraction, &TransientSample::contactLength};
+      &TransientSample::velocity,      &TransientSample::mu,
+      &TransientSample::indentation,   &TransientSample::contactFraction,
+      &TransientSample::contactLength, &TransientSample::predictedRate};
   struct Extremes {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     bool isHighLast = true;
@@ -360,12 +363,13 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   sheet.diagrams.push_back(contactStrip(scene, table.drawn));
   sheet.title = scene.title;
   sheet.subtitle = describeParameters(scene);
-  if (sheet.status.empty()) sheet.note = {};  // without a guide no explanation is needed
-  std::vector<Message> notes{sheet.note};
+  std::vector<Message> notes;
   if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));
   if (std::isfinite(table.muError))
     notes.push_back(message("band: estimated error of elements and time steps, {} in \u03BC",
                             PrintedNumber{printedNumber(table.muError, 2)}));
+  const bool hasGuide = std::ranges::any_of(sheet.diagrams[1].series, &DiagramSeries::isTheory);
+  if (hasGuide) notes.push_back(sheet.note);
   sheet.note = listed(notes);
   return sheet;
 }

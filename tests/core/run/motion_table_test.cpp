@@ -230,6 +230,33 @@ TEST(MotionTable, ThePictureSaysThatFrictionIsOfDeformationAlone) {
             "friction \u03BC, deformation alone");
 }
 
+/// The guide at the rate 1/tau + v/l is drawn where the note explains it, for one line and for the
+/// mean of several; other elements than Kelvin's have neither.
+TEST(MotionTable, ThePictureHasTheGuideThatItExplains) {
+  for (const SlidingKind kind : {SlidingKind::Start, SlidingKind::Step})
+    for (const std::int64_t lines : {1, 3})
+      for (const Rheology rheology : {Rheology::Kelvin, Rheology::StandardSolid}) {
+        Scene scene = someMotion(kind);
+        scene.elastomer.rheology = rheology;
+        MotionOptions options;
+        options.lines = lines;
+        const DiagramSheet sheet = motionSheet(scene, marchMotion(scene, options));
+        const auto& series = sheet.diagrams[1].series;
+        const auto guide = std::ranges::find_if(series, &DiagramSeries::isTheory);
+        const bool isKelvin = rheology == Rheology::Kelvin;
+        EXPECT_EQ(guide != series.end(), isKelvin) << lines;
+        EXPECT_EQ(sheet.note.english().find("dashed: ") != std::string::npos, isKelvin) << lines;
+        if (!isKelvin || guide == series.end()) continue;
+        // It begins on the friction of the picture, and is as long.
+        const auto friction = std::ranges::find(series, false, &DiagramSeries::isBand);
+        const DiagramPoint& first = guide->points.front();
+        const auto same = std::ranges::find(friction->points, first.x, &DiagramPoint::x);
+        ASSERT_NE(same, friction->points.end());
+        EXPECT_EQ(same->y, first.y);
+        EXPECT_EQ(guide->points.back().x, friction->points.back().x);
+      }
+}
+
 TEST(MotionTable, LinesAreRealizationsAndTheirMeanIsThePicture) {
   const Scene scene = someMotion(SlidingKind::Start);
   MotionOptions options;
