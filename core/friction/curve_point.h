@@ -55,8 +55,8 @@ struct CurvePoint {
   /// 1 where friction rests on frequencies at which the elastomer was not measured, else 0; not
   /// applicable where these are not known (core/friction/excitation.h).
   double extrapolated = kNotApplicable;
-  /// Mean number of separate stretches in contact in one period; not applicable where nothing was
-  /// slid, as beside a law.
+  /// Mean number of contact spots in one period; not applicable where nothing was slid, as beside a
+  /// law.
   double contactSpots = kNotApplicable;
   /// Whether a table has the column `contact_spots`, and the word `few_contacts` in its notes:
   /// tables of scenes without any key that came with measured surfaces and materials stay as they
@@ -83,11 +83,11 @@ std::optional<Message> pressureNote(std::span<const CurvePoint> points, double w
 /// Returns the same for the scene itself; nothing where its load is no pressure.
 std::optional<Message> pressureNote(const Scene& scene);
 
-/// Returns whether so few separate stretches bear the load that friction is that of single summits:
-/// fewer than kFewContacts in a period that is less than half in contact. Beyond half of it
-/// stretches are few because they have grown together. With four of them friction scatters by about
-/// half its value from line to line, and on the lines of Fig. 2 of Li et al. it begins to leave its
-/// plateau, as it does in region IV (core/chart/curve_regions.h).
+/// Returns whether so few contact spots bear the load that friction is that of single summits:
+/// fewer than kFewContacts in a period that is less than half in contact. Beyond half of it spots
+/// are few because they have grown together. With four of them friction scatters by about half its
+/// value from line to line, and on the lines of Fig. 2 of Li et al. it begins to leave its plateau,
+/// as it does in region IV (core/chart/curve_regions.h).
 inline constexpr double kFewContacts = 4;
 bool areContactsFew(double contactSpots, double contactFraction);
 

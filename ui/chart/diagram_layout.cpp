@@ -98,12 +98,6 @@ float fontSize(float size) {
   return std::max(kSmallestFont, std::round(size));
 }
 
-/// Returns whether a theme draws axes as black as texts.
-bool isForPrint(const Theme& theme) {
-  const Rgba &axis = theme.axis, &text = theme.text;
-  return axis.r == text.r && axis.g == text.g && axis.b == text.b;
-}
-
 std::size_t linesIn(float height, float size, std::size_t most) {
   return std::min(most, static_cast<std::size_t>(std::max(0.0F, height / (kLineHeight * size))));
 }
@@ -170,8 +164,7 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
   sizes.ticks = options.format.ticks;
   // On a screen ticks are outside, as those of the contact and of the chart in the window.
   if (sizes.ticks == TickSide::Automatic)
-    sizes.ticks =
-        options.above || !isForPrint(options.theme) ? TickSide::Outside : TickSide::Inside;
+    sizes.ticks = options.above || !options.theme.isForPrint ? TickSide::Outside : TickSide::Inside;
   sizes.isPrinted = options.format.fontSize > 0;
   return sizes;
 }

@@ -143,12 +143,12 @@ void addUndeformedLevel(DrawLayer& layer, const ContactLayout& layout) {
 }
 
 /// Adds a wide faint line under a narrow bright one; a single point is a dot.
-void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
+void addInterval(DrawLayer& layer, const Curve& interval, const ContactLayout& layout) {
   const float u = layout.sizes.unit;
   DrawLine core, halo;
   core.width = 3.6F * u;
   halo.width = 9 * u;
-  for (const CurveVertex& v : stretch) {
+  for (const CurveVertex& v : interval) {
     const float x = layout.px(v.x), y = layout.py(v.height);
     const Rgba colour = layout.scale.colour(v.value);
     core.vertices.push_back({x, y, colour});
@@ -158,9 +158,9 @@ void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& lay
   layer.lines.push_back(std::move(core));
 }
 
-/// Adds strokes under a stretch as long as its values, at equal distances on the picture; a stretch
-/// between two of them has one at its largest value.
-void addStrokesBelow(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
+/// Adds strokes under an interval at equal distances on the picture, each as long as the value
+/// there; an interval that lies between two of them has one at its largest value.
+void addStrokesBelow(DrawLayer& layer, const Curve& interval, const ContactLayout& layout) {
   const float u = layout.sizes.unit, longest = kLongestStroke * layout.plot.height;
   const float step = 3 * u, width = std::max(1.0F, 0.9F * u);
   const auto stroke = [&](float x, float y, double value) {
@@ -169,11 +169,11 @@ void addStrokesBelow(DrawLayer& layer, const Curve& stretch, const ContactLayout
   };
   const CurveVertex* largest = nullptr;
   bool hasAny = false;
-  for (std::size_t i = 0; i < stretch.size(); ++i) {
-    const CurveVertex& b = stretch[i];
+  for (std::size_t i = 0; i < interval.size(); ++i) {
+    const CurveVertex& b = interval[i];
     if (!largest || b.value > largest->value) largest = &b;
     if (i == 0) continue;
-    const CurveVertex& a = stretch[i - 1];
+    const CurveVertex& a = interval[i - 1];
     const float from = layout.px(a.x), to = layout.px(b.x);
     if (!(to > from)) continue;
     for (float x = std::ceil(from / step) * step; x < to; x += step) {
@@ -289,10 +289,10 @@ void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
   }
 }
 
-/// Writes positions on the colour scale; positions between the vertices of a stretch are
+/// Writes positions on the colour scale; positions between the vertices of an interval are
 /// interpolated.
-void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
-                 const ContactLayout& layout) {
+void markInterval(Strip& shares, const std::vector<CurveVertex>& interval,
+                  const ContactLayout& layout) {
   const auto share = [&](const CurveVertex& v) {
     return std::clamp(layout.scale.position(v.value), 0.02F, 1.0F);
   };
@@ -302,10 +302,10 @@ void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
       there = std::max(there, value);
     }
   };
-  mark(layout.px(stretch.front().x), share(stretch.front()));
-  for (std::size_t k = 0; k + 1 < stretch.size(); ++k) {
-    const float xa = layout.px(stretch[k].x), xb = layout.px(stretch[k + 1].x);
-    const float pa = share(stretch[k]), pb = share(stretch[k + 1]);
+  mark(layout.px(interval.front().x), share(interval.front()));
+  for (std::size_t k = 0; k + 1 < interval.size(); ++k) {
+    const float xa = layout.px(interval[k].x), xb = layout.px(interval[k + 1].x);
+    const float pa = share(interval[k]), pb = share(interval[k + 1]);
     mark(xb, pb);
     if (!shares.covers(xb) && !shares.covers(xa) && (xa > 0) == (xb > 0)) continue;
     for (std::size_t i = shares.nearest(xa) + 1; i < shares.nearest(xb); ++i) {
@@ -338,7 +338,7 @@ void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
   Strip rows(layout, step);
   sampleSurface(rows, surface, layout);
   Light light{Strip(layout, step), Strip(layout, step)};
-  for (const auto& stretch : contacts) markStretch(light.share, stretch, layout);
+  for (const auto& interval : contacts) markInterval(light.share, interval, layout);
   for (std::size_t i = 0; i < light.weight.size(); ++i)
     light.weight[i] = light.share[i] > 0 ? 1.0F : 0.0F;
 
@@ -374,15 +374,15 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   const Curve surface = decimated(frame, frame.surfaceHeight, range, columns, values);
   // Two contacts closer than the width of a hairline cannot be distinguished.
   const double hairlines = columns.pixelsPerMetre / std::max(1.0F, layout.sizes.unit);
-  std::vector<Curve> stretches;
+  std::vector<Curve> intervals;
   if (layout.scale.isShown() && !coloursAge)
-    stretches = stretchesAbove(frame, range, {columns.left, hairlines}, values,
+    intervals = intervalsAbove(frame, range, {columns.left, hairlines}, values,
                                layout.scale.minimumShown());
 
   DrawLayer rigid = rigidLayer(frame, line, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);
   const bool isPaper = layout.theme.isPaper;
-  if (!isPaper) addGlow(elastomer, surface, stretches, layout);
+  if (!isPaper) addGlow(elastomer, surface, intervals, layout);
   DrawLayer curves;
   addGrid(curves, layout);
   addUndeformedLevel(curves, layout);
@@ -391,8 +391,11 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   addCurve(curves, line, layout, width, layout.theme.rigidEdge);
   if (coloursAge && layout.scale.isShown() && !isPaper) addAge(elastomer, curves, surface, layout);
   if (coloursAge && layout.scale.isShown() && isPaper) addStrokesBelow(curves, surface, layout);
-  for (const Curve& stretch : stretches)
-    isPaper ? addStrokesBelow(curves, stretch, layout) : addStretch(curves, stretch, layout);
+  for (const Curve& interval : intervals)
+    if (isPaper)
+      addStrokesBelow(curves, interval, layout);
+    else
+      addInterval(curves, interval, layout);
   if (layout.marked && !isPaper) addMark(curves, frame, layout);
   for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
     layer->clip = layout.plot;

@@ -66,19 +66,19 @@ class ColumnExtremes {
   bool empty_ = true;
 };
 
-/// Merges stretches closer than a column while it takes their points in order.
-class StretchCollector {
+/// Merges intervals closer than a column while it takes their points in order.
+class IntervalCollector {
  public:
-  StretchCollector(const Columns& columns, bool everyPoint)
+  IntervalCollector(const Columns& columns, bool everyPoint)
       : columns_(columns), everyPoint_(everyPoint) {}
 
   void add(std::int64_t index, const CurveVertex& vertex) {
     const bool follows = index == lastIndex_ + 1;
     const double here = column(vertex, columns_);
     const bool sameColumn = !everyPoint_ && here == column_;
-    if (stretches_.empty() || !(follows || sameColumn)) {
+    if (intervals_.empty() || !(follows || sameColumn)) {
       flush();
-      stretches_.emplace_back();
+      intervals_.emplace_back();
     } else if (everyPoint_ || !sameColumn) {
       flush();
     }
@@ -89,17 +89,17 @@ class StretchCollector {
 
   std::vector<std::vector<CurveVertex>> take() {
     flush();
-    return std::move(stretches_);
+    return std::move(intervals_);
   }
 
  private:
   void flush() {
-    if (!stretches_.empty()) extremes_.flushInto(stretches_.back());
+    if (!intervals_.empty()) extremes_.flushInto(intervals_.back());
   }
 
   const Columns columns_;
   const bool everyPoint_;
-  std::vector<std::vector<CurveVertex>> stretches_;
+  std::vector<std::vector<CurveVertex>> intervals_;
   ColumnExtremes extremes_;
   std::int64_t lastIndex_ = -2;
   double column_ = 0;
@@ -171,13 +171,13 @@ std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>
   return curve;
 }
 
-std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
+std::vector<std::vector<CurveVertex>> intervalsAbove(const Frame& frame, PointRange range,
                                                      const Columns& columns,
                                                      const std::vector<double>& values,
                                                      double least) {
   if (values.size() != frame.surfaceHeight.size()) return {};
   const PeriodicPoints points(frame, frame.surfaceHeight, values);
-  StretchCollector collector(columns, fitsEveryPoint(frame, columns));
+  IntervalCollector collector(columns, fitsEveryPoint(frame, columns));
   for (std::int64_t i = range.first; i <= range.last; ++i)
     if (points.isAbove(i, least)) collector.add(i, points.at(i));
   return collector.take();
@@ -187,11 +187,11 @@ std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRa
 
 namespace {
 
-/// Goes once around the period, and again as far as a stretch continues.
-bool hasStretch(const Frame& frame, double metres) {
+/// Goes once around the period, and again as far as an interval continues.
+bool hasInterval(const Frame& frame, double metres) {
   const std::size_t n = frame.pressure.size();
   const double most = static_cast<double>(2 * n);
-  // Returns the width in points: at least two, because one point alone would be a stretch.
+  // Returns the width in points: at least two, because one point alone would be an interval.
   const double wide = std::max(1.0, std::min(metres / frame.spacing, most));
   const double apart = std::max(1.0, 0.25 * wide);
   std::size_t first = 0, last = 0;
@@ -202,7 +202,7 @@ bool hasStretch(const Frame& frame, double metres) {
     within = true;
     last = i;
     if (static_cast<double>(last - first) >= wide) return true;
-    if (i >= n && first >= n) break;  // a stretch that was counted before
+    if (i >= n && first >= n) break;  // an interval that was counted before
   }
   return false;
 }
@@ -229,7 +229,7 @@ std::optional<std::size_t> smallestGap(const Frame& frame) {
 }  // namespace
 
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres) {
-  if (!isDrawable(frame) || hasStretch(frame, metres)) return std::nullopt;
+  if (!isDrawable(frame) || hasInterval(frame, metres)) return std::nullopt;
   if (const auto point = greatestPressurePoint(frame)) return point;
   const bool touches = frame.normalForce > 0 || frame.contactFraction > 0;
   return touches ? smallestGap(frame) : std::nullopt;

@@ -1,5 +1,5 @@
 // What a picture takes from a frame: the forces on the rigid line and its velocity, and of the
-// points long curves reduced to what a pixel column can show, stretches in contact, contacts too
+// points long curves reduced to what a pixel column can show, intervals in contact, contacts too
 // narrow to be visible as lines. Pure; any thread.
 #pragma once
 
@@ -62,16 +62,16 @@ std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>
                                    PointRange range, const Columns& columns,
                                    const std::vector<double>& values = {});
 
-/// Returns the stretches of the elastomer's surface where values are above `least`, each decimated.
-/// Stretches less than a column apart are merged; none is ever lost: a single point is a stretch of
-/// one vertex.
-std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
+/// Returns the intervals of the elastomer's surface where values are above `least`, each decimated.
+/// Intervals less than a column apart are merged; none is ever lost: a single point is an interval
+/// of one vertex.
+std::vector<std::vector<CurveVertex>> intervalsAbove(const Frame& frame, PointRange range,
                                                      const Columns& columns,
                                                      const std::vector<double>& values,
                                                      double least);
 
-/// Returns the point to mark where the two bodies touch but no stretch of points in contact is
-/// `metres` wide (stretches less than a quarter of it apart count as one): that of the greatest
+/// Returns the point to mark where the two bodies touch but no interval of points in contact is
+/// `metres` wide (intervals less than a quarter of it apart count as one): that of the greatest
 /// pressure or, where contact lies between points and none carries pressure, of the smallest gap
 /// lineHeight - surfaceHeight. None where there is a wider contact or no contact.
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres);

@@ -50,6 +50,7 @@ const Theme& printTheme() {
     print.text = print.axis = colourFrom(0x000000);
     print.faintText = colourFrom(0x333333);
     print.grid = colourFrom(0x000000, 0.09F);
+    print.isForPrint = true;
     return print;
   }();
   return theme;

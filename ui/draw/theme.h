@@ -12,6 +12,7 @@ namespace asperity {
 struct Theme {
   Rgba background, panel, text, faintText, grid, axis;
   Rgba rigid, rigidEdge, elastomer, elastomerEdge, highlight;
+  bool isForPrint = false;  // axes are black, and charts have their tick marks inside of the frame
   /// The contact is drawn for print: flat light tints, hatching, and pressures as strokes, which
   /// are legible without colours.
   bool isPaper = false;

@@ -66,7 +66,7 @@ class ArmTangent {
   void leave(double length);
   /// Ends a free arc of this length (m) in contact.
   void enter(double length);
-  /// Ends the period, in contact or free, with a last stretch of this length (m).
+  /// Ends the period, in contact or free, with a last interval of this length (m).
   void finish(double length, bool touching);
 
   /// Returns the number of unknowns: 0 is the indentation, 1 + k the strain of arm k at the lowest

@@ -3,7 +3,7 @@
 // with three differences. Contact moves on in batches of segments, one segment in each lane where
 // all of them are judged at once. Roots are searched from the cubic through the values and slopes
 // at both ends, so that few evaluations of all arms are needed. Inside a free segment only the
-// stretches that lie below the highest free surface are looked at. The file is compiled once per
+// intervals that lie below the highest free surface are looked at. The file is compiled once per
 // instruction set.
 
 #if defined(ASPERITY_ARM_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
@@ -234,12 +234,12 @@ class ArmKernel {
     return line_.spacing * sumOf(w);
   }
 
-  /// Returns the first place from `from` towards `to` where contact or a free stretch ends, or
+  /// Returns the first place from `from` towards `to` where contact or a free interval ends, or
   /// kNoZero. `function` is the pressure or the clearance.
   template <class Function>
   static double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
                          const Function& function) {
-    // Right where a stretch begins the function is 0 to rounding.
+    // Right where an interval begins the function is 0 to rounding.
     first.value = std::max(first.value, 0.0);
     return firstZero(from, first, to, last, function,
                      [&](double a, ValueAndSlope atA, double b, ValueAndSlope atB) {
@@ -427,7 +427,7 @@ class ArmKernel {
   bool touching_ = true;
   std::size_t level_ = 0;  // of the block tried next
   double arcStart_ = 0;    // m
-  FreeStretches free_;
+  FreeIntervals free_;
   double contactStart_ = 0;  // m
   double entryHeight_ = 0;   // m, of the line where the present contact began
   double leftHeight_ = 0;    // m, of the line where the present arc began

@@ -28,10 +28,10 @@ struct ArmShape {
 /// two of them the cubic only rises or only falls.
 StaticVector<3> turningPoints(double to, const Cubic& cubic, bool onwards);
 
-/// Counts free stretches. Where the pressure is 0 to rounding as contact begins, contact ends and
-/// begins again within a few digits of the position: such short stretches, contact or free, are not
+/// Counts free intervals. Where the pressure is 0 to rounding as contact begins, contact ends and
+/// begins again within a few digits of the position: such short intervals, contact or free, are not
 /// counted.
-class FreeStretches {
+class FreeIntervals {
  public:
   /// Begins in contact, which continues from that at the line's end. spacing: m, of the line's
   /// segments.
@@ -141,7 +141,7 @@ class ArmPass {
   double leftHeight_ = 0;               // m, of the line where the present arc began
   double recovered_ = 0;                // m, that the free surface has come back since
   PassSums sums_;
-  FreeStretches free_;
+  FreeIntervals free_;
   ArmTangent* tangent_ = nullptr;
 };
 

@@ -123,7 +123,7 @@ template <class Function, class ZeroIn>
 double firstZero(double from, ValueAndSlope first, double to, ValueAndSlope last,
                  const Function& function, const ZeroIn& zeroIn) {
   constexpr double kShortest = 1e-9;
-  // Only a function that is 0 to rounding over a whole stretch needs more; it counts as positive.
+  // Only a function that is 0 to rounding over a whole interval needs more; it counts as positive.
   constexpr int kMaxHalvings = 200;
   struct End {
     double at;

@@ -28,9 +28,9 @@ std::size_t wrapped(std::int64_t index, std::int64_t points) {
   return static_cast<std::size_t>((index % points + points) % points);
 }
 
-bool covers(const std::vector<std::vector<CurveVertex>>& stretches, double x, double pixel) {
-  return std::any_of(stretches.begin(), stretches.end(), [&](const auto& stretch) {
-    return x >= stretch.front().x - pixel && x <= stretch.back().x + pixel;
+bool covers(const std::vector<std::vector<CurveVertex>>& intervals, double x, double pixel) {
+  return std::any_of(intervals.begin(), intervals.end(), [&](const auto& interval) {
+    return x >= interval.front().x - pixel && x <= interval.back().x + pixel;
   });
 }
 
@@ -68,17 +68,17 @@ TEST(Decimate, NeverLosesAContact) {
         frame.pressure[static_cast<std::size_t>(points / 3)] = 5;  // at least one
         const PointRange range = pointsWithin(frame, left, 1);
         const double pixels = 777;
-        const auto stretches = stretchesAbove(frame, range, {left, pixels}, frame.pressure, 0);
-        EXPECT_LE(stretches.size(), 780U);
+        const auto intervals = intervalsAbove(frame, range, {left, pixels}, frame.pressure, 0);
+        EXPECT_LE(intervals.size(), 780U);
         double greatest = 0;
-        for (const auto& stretch : stretches) {
-          ASSERT_FALSE(stretch.empty());
-          for (const CurveVertex& v : stretch) greatest = std::max(greatest, v.value);
+        for (const auto& interval : intervals) {
+          ASSERT_FALSE(interval.empty());
+          for (const CurveVertex& v : interval) greatest = std::max(greatest, v.value);
         }
         EXPECT_EQ(greatest, 5);
         for (std::int64_t i = range.first; i <= range.last; ++i) {
           if (frame.pressure[wrapped(i, points)] == 0) continue;
-          ASSERT_TRUE(covers(stretches, static_cast<double>(i) * frame.spacing, 1 / pixels));
+          ASSERT_TRUE(covers(intervals, static_cast<double>(i) * frame.spacing, 1 / pixels));
         }
       }
     }
@@ -87,21 +87,21 @@ TEST(Decimate, NeverLosesAContact) {
 
 TEST(Decimate, LightsOnlyPointsInContact) {
   const Frame frame = randomFrame(5000, 0.1, 7);
-  for (const auto& stretch :
-       stretchesAbove(frame, pointsWithin(frame, 0, 1), {0, 640}, frame.pressure, 0))
-    for (const CurveVertex& v : stretch) {
+  for (const auto& interval :
+       intervalsAbove(frame, pointsWithin(frame, 0, 1), {0, 640}, frame.pressure, 0))
+    for (const CurveVertex& v : interval) {
       EXPECT_GT(frame.pressure[wrapped(std::lround(v.x * 5000), 5000)], 0);
     }
 }
 
-TEST(Decimate, OnePointAloneIsAStretch) {
+TEST(Decimate, OnePointAloneIsAInterval) {
   Frame frame = randomFrame(5000, 0, 3);
   frame.pressure[4999] = 2;
-  const auto stretches =
-      stretchesAbove(frame, pointsWithin(frame, 0.1, 1), {0.1, 1280}, frame.pressure, 0);
-  ASSERT_EQ(stretches.size(), 1U);
-  EXPECT_EQ(stretches[0].size(), 1U);
-  EXPECT_NEAR(stretches[0][0].x, 4999 / 5000.0, 1e-12);
+  const auto intervals =
+      intervalsAbove(frame, pointsWithin(frame, 0.1, 1), {0.1, 1280}, frame.pressure, 0);
+  ASSERT_EQ(intervals.size(), 1U);
+  EXPECT_EQ(intervals[0].size(), 1U);
+  EXPECT_NEAR(intervals[0][0].x, 4999 / 5000.0, 1e-12);
 }
 
 TEST(Decimate, RefusesFramesWithoutSense) {
@@ -158,14 +158,14 @@ TEST(NarrowContact, PressuresOfPointsAreLeftOutWhereContactLiesBetweenThem) {
   EXPECT_EQ(narrowContact(frame, 1e-9), 10U);  // it still has its mark
 }
 
-TEST(NarrowContact, NoneWhereAStretchIsWide) {
+TEST(NarrowContact, NoneWhereAIntervalIsWide) {
   Frame frame = apart();
   for (int i = 50; i <= 55; ++i) frame.pressure[static_cast<std::size_t>(i)] = 1;
   EXPECT_FALSE(narrowContact(frame, 4.9e-3));
   EXPECT_TRUE(narrowContact(frame, 5.1e-3));
 }
 
-TEST(NarrowContact, StretchAcrossTheEndOfThePeriod) {
+TEST(NarrowContact, IntervalAcrossTheEndOfThePeriod) {
   Frame frame = apart();
   for (const std::size_t i : {98U, 99U, 0U, 1U}) frame.pressure[i] = 1;
   EXPECT_FALSE(narrowContact(frame, 2.9e-3));

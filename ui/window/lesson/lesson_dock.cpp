@@ -125,16 +125,19 @@ void LessonDock::shareHeightSoon() {
 /// Shares the height again where the title or the parameters need another one. The warning of a
 /// parameter appears some time after the step. Nothing moves while the student uses a parameter.
 bool LessonDock::eventFilter(QObject* watched, QEvent* event) {
-  bool isHeightOther = false;
   if (watched == title_ && event->type() == QEvent::Resize) {
     const auto& resized = *static_cast<const QResizeEvent*>(event);
-    isHeightOther = resized.size().height() != resized.oldSize().height();
-  } else if (watched == rows_->widget() && event->type() == QEvent::LayoutRequest && !isHidden()) {
-    const int before = std::exchange(rowsHeight_, neededHeight(*rows_));
-    isHeightOther = before != rowsHeight_ && !panel_.isAncestorOf(QApplication::focusWidget());
+    if (resized.size().height() != resized.oldSize().height()) shareHeightSoon();
+  } else if (watched != title_ && event->type() == QEvent::LayoutRequest && !isHidden()) {
+    // The rows are measured later: a panel that is being destroyed asks for a layout, too.
+    QTimer::singleShot(0, this, [this] { followRows(); });
   }
-  if (isHeightOther) shareHeightSoon();
   return QDockWidget::eventFilter(watched, event);
+}
+
+void LessonDock::followRows() {
+  const int before = std::exchange(rowsHeight_, neededHeight(*rows_));
+  if (before != rowsHeight_ && !panel_.isAncestorOf(QApplication::focusWidget())) shareHeight();
 }
 
 /// Moves the border between the pane and the parameters where one of them has to be scrolled while

@@ -39,12 +39,12 @@ class LessonDock : public QDockWidget {
   void endRequested();
 
  protected:
-  /// Shares the height again where the title takes more lines, or fewer.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildTitleBar();
   void shareHeight(int corrections = 1);
+  void followRows();
 
   QMainWindow& window_;
   QDockWidget& parameters_;
