@@ -242,7 +242,8 @@ std::optional<std::int64_t> wholeNumber(const Json& json) {
       json.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()})
     return {};
   if (json.is_number_integer()) return json.get<std::int64_t>();
-  const double number = json.is_number() ? json.get<double>() : 0.5;
+  if (!json.is_number()) return {};
+  const double number = json.get<double>();
   if (number != std::floor(number) || std::abs(number) >= kExact) return {};
   return static_cast<std::int64_t>(number);
 }

@@ -18,6 +18,13 @@
 namespace asperity {
 namespace {
 
+/// Returns the scene with an elastomer whose arms have a long line in the panel.
+Scene withManyArms(Scene scene) {
+  scene.elastomer.rheology = Rheology::Prony;
+  for (int i = 0; i < 20; ++i) scene.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  return scene;
+}
+
 class PanelViewTest : public ParameterPanelTest {
  protected:
   PanelViewTest() {
@@ -321,9 +328,7 @@ TEST_F(PanelViewTest, AWideRowOfOneSceneDoesNotWidenTheNext) {
   const int before = panel_.minimumWidth();
   panel_.resize(before, panel_.height());
   QSignalSpy released(&panel_, &ParameterPanel::widthReleased);
-  Scene wide = plain;
-  wide.elastomer.rheology = Rheology::Prony;
-  for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  const Scene wide = withManyArms(plain);
   panel_.setScene(wide);
   ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.minimumWidth() > before; }));
   panel_.setScene(plain);
@@ -338,9 +343,7 @@ TEST_F(PanelViewTest, ALessonDoesNotMoveTheViewsForRowsThatItHides) {
   const Scene plain = panel_.scene();
   QTest::qWait(1);
   const int before = panel_.minimumWidth();
-  Scene wide = plain;
-  wide.elastomer.rheology = Rheology::Prony;
-  for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  const Scene wide = withManyArms(plain);
   const std::map<std::string, RowAccess> access{{"*", RowAccess::Hidden},
                                                 {"sliding.velocity", RowAccess::Free}};
   panel_.planRows({{wide, access}, {plain, access}});
@@ -360,9 +363,7 @@ TEST_F(PanelViewTest, TheWidthOfALessonIsThatOfItsWidestStep) {
   const Scene plain = panel_.scene();
   QTest::qWait(1);
   const int before = panel_.minimumWidth();
-  Scene wide = plain;
-  wide.elastomer.rheology = Rheology::Prony;
-  for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  const Scene wide = withManyArms(plain);
   panel_.planRows({{plain, {}}, {wide, {}}});
   const int planned = panel_.minimumWidth();
   EXPECT_GT(planned, before);

@@ -23,7 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr int kNoteMargin = 4;  // pixels below a note that is scrolled to
-const QString kNarrowList = QStringLiteral("<ul style=\"margin-left: -22px\">");
+constexpr QLatin1String kList("<ul>"), kNarrowList("<ul style=\"margin-left: -22px\">");
 
 /// A button that is no wider than its text needs, so that three of them fit beside each other.
 class FootButton : public QPushButton {
@@ -114,7 +114,7 @@ void LessonPane::showStep(const LessonPage& page) {
   const LessonStep& step = page.lesson->steps[static_cast<std::size_t>(page.step)];
   const auto fill = [](QLabel& label, QString html) {
     // The usual indentation of a list takes a fifth of the width of the pane.
-    label.setText(html.replace(QStringLiteral("<ul>"), kNarrowList));
+    label.setText(html.replace(kList, kNarrowList));
     label.setVisible(!html.isEmpty());
   };
   const int count = static_cast<int>(page.lesson->steps.size());

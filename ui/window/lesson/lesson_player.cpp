@@ -48,13 +48,14 @@ std::map<std::string, RowAccess> rowAccess(const LessonControls& controls, bool 
   return access;
 }
 
-/// Returns the rows of all steps, before and after their answers.
+/// Returns the scenes of all steps, before and after their answers, each with what the student may
+/// do with its rows after the answer.
 std::vector<PlannedRows> plannedRows(const Lesson& lesson) {
   std::vector<PlannedRows> plan;
   for (const LessonStep& step : lesson.steps) {
-    plan.push_back({step.scene, rowAccess(step.controls, true)});
-    if (!(step.revealedScene == step.scene))
-      plan.push_back({step.revealedScene, rowAccess(step.controls, true)});
+    const std::map<std::string, RowAccess> access = rowAccess(step.controls, true);
+    plan.push_back({step.scene, access});
+    if (!(step.revealedScene == step.scene)) plan.push_back({step.revealedScene, access});
   }
   return plan;
 }
