@@ -108,7 +108,7 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 Message parameterTitle(std::string_view key) {
   if (key == kVelocityKey) return "sliding velocity v";
   const Parameter& row = knownParameter(key);
-  // "shift C1" names its symbol C_1 already.
+  // "constant C1" names its symbol C_1 already.
   std::string plainSymbol(row.symbol);
   std::erase(plainSymbol, '_');
   if (row.symbol.empty() || row.label.ends_with(" " + plainSymbol)) return row.label;

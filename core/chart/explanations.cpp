@@ -12,10 +12,8 @@ namespace asperity {
 namespace {
 
 // The states of arms: ∂s_i/∂t = ∂u/∂t − s_i/τ_i.
-constexpr std::string_view kForceOfArms =
-                               "f = −4 Δx (G∞ u + Σ G_i s_i + η ∂u/∂t), ∂s_i/∂t = ∂u/∂t − s_i/τ_i",
-                           kPressureOfArms =
-                               "p = −4 (G∞ u + Σ G_i s_i + η ∂u/∂t), ∂s_i/∂t = ∂u/∂t − s_i/τ_i";
+constexpr std::string_view kPressureOfArms =
+    "p = −4 (G∞ u + Σ G_i s_i + η ∂u/∂t), ∂s_i/∂t = ∂u/∂t − s_i/τ_i";
 
 constexpr std::array kTable{
     // ---- scene keys: their sentences are those of the table of parameters
@@ -50,8 +48,8 @@ constexpr std::array kTable{
     HoverExplanation{"load.depth", "u = z − d (p > 0)", "", "foundation"},
     HoverExplanation{"load.nominal_pressure", "F_N = p₀ L w", "", "pressure"},
     HoverExplanation{"load.width", "F_N = p₀ L w", "", "pressure"},
-    HoverExplanation{"sliding.velocity", "f = 4 Δx {G [d − z] + η v z′}, Eq. (2)", "", "steady",
-                     kForceOfArms},
+    HoverExplanation{"sliding.velocity", "p = 4 (G [d − z] + η v z′)", "", "steady",
+                     kPressureOfArms},
     HoverExplanation{"sliding.amplitude", "v(t) = v + Δv sin(2π f t)", "", "motion"},
     HoverExplanation{"sliding.frequency", "v(t) = v + Δv sin(2π f t)", "", "motion"},
     HoverExplanation{"interface.friction_coefficient", "μ_total = μ + μ_interface", "",
@@ -81,11 +79,9 @@ constexpr std::array kTable{
                      "foundation"},
     HoverExplanation{"rms_slope_contact", "∇z_cont = √(∫ z′² dx/L_c)",
                      "Rms slope of the line where it touches the elastomer.", "eq-15"},
-    HoverExplanation{
-        "indentation", "u = z − d (p > 0)",
-        "How deep the lowest point of the line lies below the undeformed surface (d); z is "
-        "the height of the line, u that of the surface.",
-        "foundation"},
+    HoverExplanation{"indentation", "u = z − d (p > 0)",
+                     "How deep the lowest point of the line lies below the undeformed surface.",
+                     "foundation"},
     HoverExplanation{"tangential_force", "F_x = −4 ∫ z′ [G (d − z) + η v z′] dx, Eq. (4)",
                      "The force that sliding takes, on one period of the line.", "eq-4",
                      "F_x = 4 ∫ z′ (G∞ u + Σ G_i s_i + η ∂u/∂t) dx"},
@@ -102,7 +98,7 @@ constexpr std::array kTable{
     HoverExplanation{"region I", "μ ∝ v", "", "region-1"},
     HoverExplanation{"region II", "1/μ² = 1/μ_I² + 1/μ_III², Eq. (11)", "", "regions"},
     HoverExplanation{"region III", "μ ≈ √2 ∇z_cont", "", "region-3"},
-    HoverExplanation{"region IV", "F_N/(4 η v) < h/10", "", "regions"},
+    HoverExplanation{"region IV", "", "", "regions"},
     HoverExplanation{
         "few contacts carry the load", "F_N/(4 η v) < h/10",
         "The contacts of one period climb together less than a tenth of the rms height: "
@@ -152,10 +148,10 @@ constexpr std::array kTable{
                      "The rigid line and what is above it. It slides and does not deform.",
                      "rough-line"},
     HoverExplanation{
-        "elastomer", "f = −4 Δx {G u + η ∂u/∂t}, Eq. (1)",
+        "elastomer", "p = −4 (G u + η ∂u/∂t)",
         "Springs and dashpots side by side, each for itself; arms are springs and dashpots "
         "in series beside them.",
-        "foundation", kForceOfArms},
+        "foundation", kPressureOfArms},
     HoverExplanation{"total friction", "μ_total = μ + μ_interface",
                      "Of deformation and interface together: friction force over normal force.",
                      "local-friction"},
@@ -183,9 +179,10 @@ constexpr std::array kTable{
         "What the dashpots and, in contact, the interface turn into heat, per length of "
         "the line; of the free surface, too, while it recovers.",
         "steady", "4 [η (∂u/∂t)² + Σ G_i s_i²/τ_i]"},
-    HoverExplanation{"dot at a contact", "",
-                     "A contact too narrow to be seen at this size stands under the dot.",
-                     "foundation"},
+    HoverExplanation{
+        "dot at a contact", "",
+        "The dot marks a contact that is too narrow for its colour to be seen at this size.",
+        "foundation"},
     HoverExplanation{
         "vertical exaggeration", "",
         "Heights are drawn this many times larger than lengths; true slopes are as many "
@@ -194,7 +191,7 @@ constexpr std::array kTable{
     HoverExplanation{"position along the line", "z(x + L) = z(x)",
                      "The place in the direction of sliding. The line repeats after its period.",
                      "rough-line"},
-    HoverExplanation{"height above the surface", "u = z − d (p > 0)",
+    HoverExplanation{"height above the surface", "z − d, u",
                      "0 is the surface of the elastomer where nothing has pressed on it.",
                      "foundation"},
 
@@ -242,9 +239,12 @@ constexpr std::array kTable{
 };
 
 constexpr std::array kSymbols{
+    FormulaSymbol{"p", "line load"},
+    FormulaSymbol{"G", "shear modulus"},
     FormulaSymbol{"η", "viscosity (G τ in Kelvin elements)"},
+    FormulaSymbol{"d", "indentation"},
     FormulaSymbol{"u", "displacement of the surface"},
-    FormulaSymbol{"z", "height of the line"},
+    FormulaSymbol{"z", "height of the line above its lowest point"},
     FormulaSymbol{"Δx", "distance between elements"},
     FormulaSymbol{"G_i", "modulus of an arm"},
     FormulaSymbol{"τ_i", "relaxation time of an arm"},

@@ -53,7 +53,7 @@ std::vector<Exponent> sensitivityExponents(const Scene& scene,
 
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all) {
   DiagramSheet sheet{.title = "What friction depends on", .subtitle = describeScene(scene)};
-  Diagram diagram{.x = {"exponent d ln \u03BC / d ln p", "", AxisScale::Linear},
+  Diagram diagram{.x = {"exponent d ln \u03BC / d ln (parameter)", "", AxisScale::Linear},
                   .y = {"", "", AxisScale::Linear}};
   for (const Exponent& one : all)
     if (std::isfinite(one.exponent.value))

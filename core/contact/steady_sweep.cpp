@@ -48,8 +48,8 @@ struct InitialGuess {
   double fromForces(std::size_t row, std::size_t column) const;
 };
 
-/// Returns ln(depth / depth at rest) of the other line: 0 at rest and in full contact, negative in
-/// between.
+/// Returns ln(depth / depth at rest) of the other line: 0 at rest and in complete contact, negative
+/// in between.
 double InitialGuess::expected(std::size_t row, std::size_t column) const {
   if (others.empty()) return 0;
   const SteadyResult& other = others[row * velocities.size() + column];

@@ -58,8 +58,8 @@ struct TransientSample {
   double contactSpots = 0;
   double contactLength = 0;  // m, mean of one contact spot
   /// 1/s, rate at which friction is expected to relax: 1 / tau + |v| / contactLength. Exact to
-  /// about 1 % for one contact of Kelvin elements at constant force; approximate on rough lines.
-  /// NaN for elements of another kind than Kelvin's.
+  /// about 1 % for one contact of Kelvin elements at constant force after a small change of
+  /// velocity; approximate otherwise. NaN at rest and for elements of another kind than Kelvin's.
   double predictedRate = kNotApplicable;
 };
 

@@ -360,7 +360,8 @@ Histogram makeHistogram(const std::vector<double>& values, double from, double t
 }
 
 DiagramSeries normalDistribution(double most, double width) {
-  DiagramSeries normal{.name = "normal", .stroke = SeriesStroke::Dashed, .isTheory = true};
+  DiagramSeries normal{
+      .name = "normal distribution", .stroke = SeriesStroke::Dashed, .isTheory = true};
   for (double x = -most; x <= most; x += 0.1)
     normal.points.push_back(
         {x, 100 * width * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});

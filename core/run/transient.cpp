@@ -254,7 +254,9 @@ TransientSample Transient::marchTo(double time) {
                       sample.normalForce, sample.contactFraction * rigid_->line->length);
   }
   addError(sample);
-  if (sample.contactLength > 0 && std::isfinite(relaxation_) && relaxation_ > 0)
+  // At rest friction is of second order in the recovery behind the contacts: it has no such rate.
+  if (sample.contactLength > 0 && std::isfinite(relaxation_) && relaxation_ > 0 &&
+      sample.velocity != 0)
     sample.predictedRate = 1 / relaxation_ + std::abs(sample.velocity) / sample.contactLength;
   return sample;
 }

@@ -122,9 +122,12 @@ double newestJump(const Sliding& sliding, double now) {
 }
 
 /// Returns whether there will be a guide at the end: it is then explained from the beginning. A
-/// scene that cannot run, because its temperature has no shift, has none.
+/// line that stops has none, and neither has a scene that cannot run, because its temperature has
+/// no shift.
 bool willRelax(const Scene& scene) {
-  if (!std::isfinite(newestJump(scene.sliding, scene.sliding.duration))) return false;
+  const double end = scene.sliding.duration;
+  if (!std::isfinite(newestJump(scene.sliding, end))) return false;
+  if (Motion(scene.sliding).velocityAt(end) == 0) return false;
   try {
     return elementLaw(scene.elastomer).kind() == ElementKind::Kelvin;
   } catch (const InputError&) {
@@ -161,8 +164,8 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   addErrorBand(sheet.diagrams[1], turned);
   if (willRelax(scene))
     sheet.note =
-        "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "
-        "guide on rough lines";
+        "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact and a "
+        "small change of velocity, a guide otherwise";
   DiagramSeries guide{.stroke = SeriesStroke::Dashed, .isTheory = true};
   guide.points = relaxationGuide(scene.sliding, samples);
   if (willRelax(scene))

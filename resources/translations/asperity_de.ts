@@ -16,16 +16,16 @@
         <translation>gesamt F</translation>
     </message>
     <message>
-        <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
+        <source>Tangential force divided by normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
         <translation>Tangentialkraft geteilt durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
     <message>
-        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
+        <source>Tangential force divided by normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
         <translation>Tangentialkraft geteilt durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
     </message>
     <message>
-        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
-        <translation>Tangentialkraft geteilt durch Normalkraft: für diese Linie, wenn sie mit dieser Geschwindigkeit stationär gleitet; ohne Zeitschritte berechnet.</translation>
+        <source>Tangential force divided by normal force of this line in steady sliding, computed without time steps.</source>
+        <translation>Tangentialkraft geteilt durch Normalkraft dieser Linie bei stationärem Gleiten, ohne Zeitschritte berechnet.</translation>
     </message>
     <message>
         <source>A rough rigid line</source>
@@ -1037,7 +1037,7 @@
         <translation>Die Statuszeile zeigt den Standardfehler des Mittels bei dieser Geschwindigkeit; der Reiter Genauigkeit zeigt den Fehler der ganzen Kurve, das quadratische Mittel über ihre Geschwindigkeiten.</translation>
     </message>
     <message>
-        <source>full contact</source>
+        <source>complete contact</source>
         <translation>Vollkontakt</translation>
     </message>
     <message>
@@ -3280,8 +3280,8 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>%1 lines, %2 %</source>
-        <translation>%1 Linien, %2 %</translation>
+        <source>%1 lines, %2 % done</source>
+        <translation>%1 Linien, %2 % fertig</translation>
     </message>
     <message>
         <source>The map is being computed…</source>
@@ -3666,8 +3666,8 @@
         <translation>Alle Parameter dieser Szene, in Abschnitten</translation>
     </message>
     <message>
-        <source>filter of the parameters</source>
-        <translation>Filter der Parameter</translation>
+        <source>search in the parameters</source>
+        <translation>Suche in den Parametern</translation>
     </message>
     <message>
         <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
@@ -3678,8 +3678,8 @@
         <translation>Suchen ( / )</translation>
     </message>
     <message>
-        <source>clear the filter</source>
-        <translation>Filter löschen</translation>
+        <source>clear the search</source>
+        <translation>Suche löschen</translation>
     </message>
 </context>
 <context>
@@ -3816,8 +3816,16 @@
         <translation>Ziehen mit Umschalt ist zehnmal feiner.</translation>
     </message>
     <message>
-        <source>usually %1</source>
-        <translation>üblich sind %1</translation>
+        <source>slider: %1</source>
+        <translation>Regler: %1</translation>
+    </message>
+    <message>
+        <source>values: %1</source>
+        <translation>Werte: %1</translation>
+    </message>
+    <message>
+        <source>key in scene files: %1; %2</source>
+        <translation>Schlüssel in Szenendateien: %1; %2</translation>
     </message>
 </context>
 <context>
@@ -4071,8 +4079,8 @@
         <translation>Texte der Szene</translation>
     </message>
     <message>
-        <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
-        <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht den Filter.</translation>
+        <source>No parameter of this scene has “%1”. Escape clears the search.</source>
+        <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht die Suche.</translation>
     </message>
     <message>
         <source>Nothing is changed here in this step.</source>
@@ -4296,8 +4304,8 @@
         <translation>Eine Szene für den Anfang wählen; alles darin lässt sich ändern</translation>
     </message>
     <message>
-        <source>filter of the scenes</source>
-        <translation>Filter der Szenen</translation>
+        <source>search in the scenes</source>
+        <translation>Suche in den Szenen</translation>
     </message>
     <message>
         <source>scenes</source>
@@ -4679,8 +4687,8 @@
         <translation>Linie</translation>
     </message>
     <message>
-        <source>force F̄ = %1</source>
-        <translation>Kraft F̄ = %1</translation>
+        <source>dimensionless F̄ = %1</source>
+        <translation>dimensionslos F̄ = %1</translation>
     </message>
     <message>
         <source>F̄ = %1</source>
@@ -4695,8 +4703,8 @@
         <translation>In diesem Fenster ist kein Platz für: %1.</translation>
     </message>
     <message>
-        <source>velocity v̄ = %1</source>
-        <translation>Geschw. v̄ = %1</translation>
+        <source>dimensionless v̄ = %1</source>
+        <translation>dimensionslos v̄ = %1</translation>
     </message>
     <message>
         <source>1 frame/s</source>
@@ -4911,7 +4919,7 @@
         <translation>Noch schneller: Nur die Kuppen der höchsten Gipfel haben Kontakt, und sie sind glatt. Die Reibung fällt wieder.</translation>
     </message>
     <message>
-        <source>Full contact</source>
+        <source>Complete contact</source>
         <translation>Vollkontakt</translation>
     </message>
     <message>
@@ -5144,8 +5152,8 @@
         <translation>Mehr Höhe für das Diagramm</translation>
     </message>
     <message>
-        <source>Filter parameters</source>
-        <translation>Parameter filtern</translation>
+        <source>Search parameters</source>
+        <translation>Parameter suchen</translation>
     </message>
     <message>
         <source>F9 shows the parameters; Esc ends the presentation.</source>
@@ -5211,8 +5219,8 @@
         <translation>Eindringung d</translation>
     </message>
     <message>
-        <source>How deep the lowest point of the line lies below the undeformed surface (d); z is the height of the line, u that of the surface.</source>
-        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt (d); z ist die Höhe der Linie, u die der Oberfläche.</translation>
+        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
     </message>
     <message>
         <source>in contact</source>
@@ -5303,8 +5311,8 @@
         <translation>Ort x</translation>
     </message>
     <message>
-        <source>rigid line z</source>
-        <translation>starre Linie z</translation>
+        <source>rigid line z − d</source>
+        <translation>starre Linie z − d</translation>
     </message>
     <message>
         <source>elastomer u</source>

@@ -140,11 +140,11 @@
     </message>
     <message>
         <source>%1 is %2; expected %3, such as %4</source>
-        <translation>%1 ist %2; erwartet wird %3, etwa %4</translation>
+        <translation>%1 ist %2; erwartet wird %3, zum Beispiel %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a known unit; expected %2, such as %3</source>
-        <translation>„%1“ ist hier keine bekannte Einheit; erwartet wird %2, etwa %3</translation>
+        <translation>„%1“ ist hier keine bekannte Einheit; erwartet wird %2, zum Beispiel %3</translation>
     </message>
     <message>
         <source>an energy of a mole</source>
@@ -1347,8 +1347,8 @@
         <translation>Sinuswellen in einer Periode der Linie.</translation>
     </message>
     <message>
-        <source>How fast or slowly the line slides: its speed; of an oscillation the mean.</source>
-        <translation>Wie schnell oder langsam die Linie gleitet (Tempo); bei einer Schwingung der Mittelwert.</translation>
+        <source>How fast the line slides; of an oscillation the mean velocity.</source>
+        <translation>Wie schnell die Linie gleitet; bei einer Schwingung die mittlere Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Slope of the wedge's two sides.</source>
@@ -1571,11 +1571,11 @@
         <translation>Schubmodul</translation>
     </message>
     <message>
-        <source>shift C1</source>
+        <source>constant C1</source>
         <translation>Konstante C1</translation>
     </message>
     <message>
-        <source>shift C2</source>
+        <source>constant C2</source>
         <translation>Konstante C2</translation>
     </message>
     <message>
@@ -2759,8 +2759,8 @@
         <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
     </message>
     <message>
-        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact, a guide on rough lines</source>
-        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt, ein Anhalt auf rauen Linien</translation>
+        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact and a small change of velocity, a guide otherwise</source>
+        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt und eine kleine Änderung der Geschwindigkeit, sonst ein Anhalt</translation>
     </message>
     <message>
         <source>%1 lines</source>
@@ -2835,8 +2835,8 @@
         <translation>in Kontakt</translation>
     </message>
     <message>
-        <source>normal</source>
-        <translation>normalverteilt</translation>
+        <source>normal distribution</source>
+        <translation>Normalverteilung</translation>
     </message>
     <message>
         <source>wave number q</source>
@@ -5739,8 +5739,8 @@
         <translation>Exponent d ln μ / d ln x</translation>
     </message>
     <message>
-        <source>exponent d ln μ / d ln p</source>
-        <translation>Exponent d ln μ / d ln p</translation>
+        <source>exponent d ln μ / d ln (parameter)</source>
+        <translation>Exponent d ln μ / d ln (Parameter)</translation>
     </message>
     <message>
         <source>share of friction per decade</source>
@@ -7454,11 +7454,11 @@
         <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
     </message>
     <message>
-        <source>Full contact on a sine: one wave, one frequency</source>
+        <source>Complete contact on a sine: one wave, one frequency</source>
         <translation>Vollkontakt auf einem Sinus: eine Welle, eine Frequenz</translation>
     </message>
     <message>
-        <source>Full contact: an exact answer</source>
+        <source>Complete contact: an exact answer</source>
         <translation>Vollkontakt: eine exakte Antwort</translation>
     </message>
     <message>
@@ -7738,8 +7738,8 @@
         <translation>RMS-Steigung der Linie, wo sie das Elastomer berührt.</translation>
     </message>
     <message>
-        <source>How deep the lowest point of the line lies below the undeformed surface (d); z is the height of the line, u that of the surface.</source>
-        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt (d); z ist die Höhe der Linie, u die der Oberfläche.</translation>
+        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
     </message>
     <message>
         <source>The force that sliding takes, on one period of the line.</source>
@@ -7810,6 +7810,10 @@
         <translation>Das Gesetz ohne Dimensionen.</translation>
     </message>
     <message>
+        <source>line load</source>
+        <translation>Linienlast</translation>
+    </message>
+    <message>
         <source>viscosity (G τ in Kelvin elements)</source>
         <translation>Viskosität (G τ in Kelvin-Elementen)</translation>
     </message>
@@ -7818,8 +7822,8 @@
         <translation>Verschiebung der Oberfläche</translation>
     </message>
     <message>
-        <source>height of the line</source>
-        <translation>Höhe der Linie</translation>
+        <source>height of the line above its lowest point</source>
+        <translation>Höhe der Linie über ihrem tiefsten Punkt</translation>
     </message>
     <message>
         <source>distance between elements</source>
@@ -7898,8 +7902,8 @@
         <translation>Was die Dämpfer und im Kontakt die Grenzfläche in Wärme verwandeln, je Länge der Linie; auch von der freien Oberfläche, solange sie sich erholt.</translation>
     </message>
     <message>
-        <source>A contact too narrow to be seen at this size stands under the dot.</source>
-        <translation>Unter dem Punkt liegt ein Kontakt, der zu schmal ist, um in dieser Größe sichtbar zu sein.</translation>
+        <source>The dot marks a contact that is too narrow for its colour to be seen at this size.</source>
+        <translation>Der Punkt markiert einen Kontakt, der zu schmal ist, als dass seine Farbe in dieser Größe zu sehen wäre.</translation>
     </message>
     <message>
         <source>Heights are drawn this many times larger than lengths; true slopes are as many times flatter.</source>

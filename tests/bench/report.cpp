@@ -95,7 +95,7 @@ std::string gridSection(const Measured& measured) {
   if (table.isEmpty()) return "";
   return "## Literal, scalar and shipped at v = 0.01 m/s\nResolved paths: cubic x2, the scalar one "
          "cold; shipped: 16 velocities within 35 %. Extrapolated: 200 of the literal algorithm's N "
-         "steps were timed (20 in a quick run), begun in steady sliding. In full contact the "
+         "steps were timed (20 in a quick run), begun in steady sliding. In complete contact the "
          "shipped path takes the whole line as one block.\n\n" +
          table.text() + "\n";
 }

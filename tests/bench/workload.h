@@ -29,7 +29,7 @@ std::vector<double> figure4Forces();
 /// `count` values from low to high, evenly spaced in their logarithm.
 std::vector<double> logarithmic(double low, double high, int count);
 
-/// The force (N) at which this part of the line is in contact at kSlow; 1: just full contact.
+/// The force (N) at which this part of the line is in contact at kSlow; 1: contact just complete.
 double forceForContact(const PreparedProfile& line, double fraction);
 
 /// The shipped path: the whole sweep at one force. Every balance is checked to be met; throws

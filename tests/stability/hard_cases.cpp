@@ -141,9 +141,9 @@ void addFullContact(Table& table) {
   for (const double velocity : {0.01, 1.0, 1e3}) {
     const double full = fullContactDepth(line, velocity * kTau);
     const std::string v = ", v = " + std::to_string(velocity).substr(0, 6);
-    table.atDepth("just full contact" + v, "the last gap closes", line, velocity,
+    table.atDepth("contact just complete" + v, "the last gap closes", line, velocity,
                   full * (1 + 1e-14));
-    table.atDepth("just lost full contact" + v, "a gap of 1e-7 of an element", line, velocity,
+    table.atDepth("complete contact just lost" + v, "a gap of 1e-7 of an element", line, velocity,
                   full * (1 - 1e-14));
     table.atDepth("lost by 1e-6" + v, "a gap of 1e-3 of an element", line, velocity,
                   full * (1 - 1e-6));

@@ -491,8 +491,8 @@ QString ChartView::tipText(const ChartTarget& target, QPointF position) const {
     return lines.join('\n');
   }
   if (const auto explanation = explanationAt(target, position))
-    return formulaText(explanation->formula) + '\n' +
-           translatedText(Message(explanation->sentence));
+    return translatedText(Message(explanation->sentence)) + '\n' +
+           formulaText(explanation->formula);
   return position.y() > layout_.frames.back().area.bottom() ? panels_.back()->elidedTitle()
                                                             : QString();
 }

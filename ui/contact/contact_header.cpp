@@ -16,7 +16,8 @@ struct Reading {
   std::string value;
   int rank = 0;  // the highest is left out first
   std::string tip;
-  std::string_view id;  // of its explanation
+  std::string_view id;     // of its explanation
+  std::string reserved{};  // value whose width is kept, so that digits move no other reading
 };
 
 /// A reading with its position: the label's left end, and the baseline of its first row.
@@ -26,7 +27,8 @@ struct PlacedReading {
 };
 
 float readingWidth(const Reading& reading, const Sizes& s) {
-  return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
+  return std::max({textWidth(reading.label, s.small), textWidth(reading.value, s.body, true),
+                   textWidth(reading.reserved, s.body, true)});
 }
 
 /// Adds interface and total friction, where the scene has local friction.
@@ -51,16 +53,16 @@ void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
 std::string frictionTip(const Frame& frame) {
   if (frame.isSettling)
     return Words::tr(
-        "Tangential over normal force while the elastomer still relaxes after a "
+        "Tangential force divided by normal force while the elastomer still relaxes after a "
         "change, read from the time steps since the last picture.");
   if (frame.transient)
     return Words::tr(
-        "Tangential over normal force at this moment of the motion, a mean "
+        "Tangential force divided by normal force at this moment of the motion, a mean "
         "over the time since the last picture. After \u00B1 stands the "
         "estimated error of elements and time steps.");
   return Words::tr(
-      "Tangential over normal force in steady sliding: of this line at this velocity, "
-      "computed without time steps.");
+      "Tangential force divided by normal force of this line in steady sliding, computed "
+      "without time steps.");
 }
 
 Reading settledReading(const Frame& frame, int rank) {
@@ -92,7 +94,8 @@ std::vector<Reading> makeReadings(const Frame& frame) {
          numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
          0,
          frictionTip(frame),
-         "mu"});
+         "mu",
+         isSteady ? std::string() : numberWithError(0.0008888, 0.0000088, Zeros::Keep)});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
                       quantity(state.normalForce, "N"),
@@ -103,8 +106,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                       quantity(state.indentation, "m"),
                       5,
                       Words::tr("How deep the lowest point of the line lies below the undeformed "
-                                "surface (d); z is the height of the line, "
-                                "u that of the surface."),
+                                "surface."),
                       "indentation"});
   readings.push_back({{{Words::tr("in contact")}},
                       shortPercent(state.contactFraction),

@@ -63,7 +63,7 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
 std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
   std::vector<ProbeLine> lines{
       {Words::tr("position x"), quantity(reading.position, "m", 4, Zeros::Keep)},
-      {Words::tr("rigid line z"), heightText(reading.line, reading.surface)},
+      {Words::tr("rigid line z \u2212 d"), heightText(reading.line, reading.surface)},
       {Words::tr("elastomer u"), heightText(reading.surface, reading.line)}};
   if (reading.pressure > 0)
     lines.push_back({Words::tr("line load p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});

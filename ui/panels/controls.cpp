@@ -358,9 +358,9 @@ QString panelStyleSheet(const QPalette& palette) {
     QToolButton[role^="segment"]:checked { background: %5; color: %2; font-weight: bold; }
     QToolButton[role^="segment"]:hover { color: %2; }
     QToolButton[role^="segment"]:focus { color: %7; }
-    QLineEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
+    QLineEdit { background: %5; border: 1px solid %6; border-radius: 5px;
                 padding: 1px 5px; min-height: 19px; }
-    QPlainTextEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
+    QPlainTextEdit { background: %5; border: 1px solid %6; border-radius: 5px;
                      padding: 0px 1px; }
     QLineEdit:focus, QPlainTextEdit:focus { border-color: %7; }
     QLineEdit[refused="true"] { border: 2px solid %4; padding: 0px 4px; }

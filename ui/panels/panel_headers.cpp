@@ -101,9 +101,9 @@ void PanelBar::showTexts() {
   all_->setText(tr("All"));
   all_->setToolTip(tr("All parameters of this scene, in sections"));
   filter_->setPlaceholderText(tr("Search ( / )"));
-  filter_->setAccessibleName(tr("filter of the parameters"));
+  filter_->setAccessibleName(tr("search in the parameters"));
   for (QAbstractButton* button : filter_->findChildren<QAbstractButton*>())
-    button->setAccessibleName(tr("clear the filter"));
+    button->setAccessibleName(tr("clear the search"));
   filter_->setToolTip(
       tr("Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, "
          "“mN”. Escape clears."));

@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-/// Returns the usual range of values, that of the slider, in the notation of the entries, or the
-/// words of a choice. The allowed range is in the message that refuses a value.
+/// Returns the range of the slider in the notation of the entries, or the words of a choice. The
+/// allowed range is in the message that refuses a value.
 QString rangeText(const Parameter& parameter) {
   if (allowedRange(parameter)) {
     NumberRule rule = numberRule(parameter);
@@ -24,12 +24,13 @@ QString rangeText(const Parameter& parameter) {
           }
         },
         parameter.field);
-    return ParameterRow::tr("usually %1").arg(allowedInWords(rule));
+    return ParameterRow::tr("slider: %1").arg(allowedInWords(rule));
   }
   QStringList words;
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     for (const std::string_view word : choice->choices) words += wordText(word, parameter.key);
-  return words.join(QStringLiteral(", "));
+  if (words.isEmpty()) return {};
+  return ParameterRow::tr("values: %1").arg(words.join(QStringLiteral(", ")));
 }
 
 /// Returns whether some word of the text begins with these letters.
@@ -59,7 +60,8 @@ QString smallParagraph(const QString& text) {
 QString keyLine(const Parameter& parameter) {
   const QString range = rangeText(parameter);
   if (range.isEmpty()) return {};
-  return smallParagraph(fromUtf8(parameter.key) + ": " + range.toHtmlEscaped());
+  return smallParagraph(ParameterRow::tr("key in scene files: %1; %2")
+                            .arg(fromUtf8(parameter.key), range.toHtmlEscaped()));
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 
 namespace asperity {
 
-/// Returns "shear modulus G" as HTML; a label that ends with its symbol, "shift C1", has it once.
+/// Returns "shear modulus G" as HTML; a label that ends with its symbol, "constant C1", has it
+/// once.
 QString labelWithSymbol(const Parameter& parameter);
 
 /// Returns an error with the labels of parameters instead of their keys, and without the name of an

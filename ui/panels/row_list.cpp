@@ -250,7 +250,7 @@ void RowList::arrange(const Scene& scene, const RowChoice& choice) {
   QString nothing;
   if (found == 0 && isFiltered)
     nothing =
-        tr("No parameter of this scene has “%1”. Escape clears the filter.").arg(words.join(' '));
+        tr("No parameter of this scene has “%1”. Escape clears the search.").arg(words.join(' '));
   else if (found == 0 && !access_.empty())
     nothing = tr("Nothing is changed here in this step.");
   noMatch_->setText(nothing);

@@ -1,5 +1,5 @@
 // Elements with arms against their closed forms (standard solid, Prony series), and against the
-// integral over the spectrum in full contact.
+// integral over the spectrum in complete contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ TEST_P(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
     }
 }
 
-/// One sine in full contact: F_x / L has its maximum A^2 q G_1 at q v tau = 1.
+/// One sine in complete contact: F_x / L has its maximum A^2 q G_1 at q v tau = 1.
 TEST_P(Arms, ZenerSinePeaksWhereOneRadianTakesTheRelaxationTime) {
   const double amplitude = 5e-7, length = 0.01, q = 2 * std::numbers::pi * 4 / length, tau = 1e-3;
   const PreparedProfile line = prepareProfile(sineLine(length, 2000, amplitude, 4), Scheme::Cubic);

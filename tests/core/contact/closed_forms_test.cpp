@@ -144,7 +144,7 @@ TEST(ClosedForms, FastSine) {
   }
 }
 
-/// Eq. (8): full contact, F_N = 4 G L d about the mean and F_x = 4 L eta v grad^2.
+/// Eq. (8): complete contact, F_N = 4 G L d about the mean and F_x = 4 L eta v grad^2.
 TEST(ClosedForms, FullContactOfARoughLine) {
   const auto error = [](std::int64_t oversampling, Scheme scheme) {
     const Line line = roughLine(500, oversampling);

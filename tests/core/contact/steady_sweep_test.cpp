@@ -279,14 +279,14 @@ TEST_P(Sweep, AnotherLineShowsWhereToBegin) {
         passes += results[i].passes;
         passesAlone += alone[i].passes;
       }
-      if (force < 1) {  // a line in full contact needs no help
+      if (force < 1) {  // a line in complete contact needs no help
         EXPECT_LT(passes, passesAlone);
       }
     }
   }
 }
 
-/// Just before contact is full, where a depth for full contact is nearly right.
+/// Just before contact is full, where a depth for complete contact is nearly right.
 TEST_P(Sweep, NearlyFullContact) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
     const PreparedProfile line = prepareProfile(roughLine(400), scheme);

@@ -18,7 +18,7 @@ Scene small() {
   return lessonOf(sampleLesson()).steps[0].scene;
 }
 
-/// A sine in full contact: mu = c q^2 A^2 / (2 d), c = v tau, d = F_N / (4 G L).
+/// A sine in complete contact: mu = c q^2 A^2 / (2 d), c = v tau, d = F_N / (4 G L).
 Scene fullSine() {
   return readScene(
       R"({"surface": {"kind": "sine", "elements": 256, "amplitude": 1e-6, "waves": 4},

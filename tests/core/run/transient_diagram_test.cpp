@@ -207,6 +207,12 @@ TEST(RelaxationGuide, IsNotThereAtRest) {
   for (TransientSample& sample : samples)
     if (sample.time > 0.02) sample.mu = kNotApplicable;
   EXPECT_TRUE(relaxationGuide(motion(SlidingKind::Step), samples).empty());
+  // A line that will stop is not told to have one.
+  Scene scene = slowParabola();
+  scene.sliding = motion(SlidingKind::Step);
+  EXPECT_FALSE(transientSheet(scene, {}, 0, 0, {}).note.empty());
+  scene.sliding.velocityAfter = 0;
+  EXPECT_TRUE(transientSheet(scene, {}, 0, 0, {}).note.empty());
 }
 
 }  // namespace

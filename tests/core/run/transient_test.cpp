@@ -77,6 +77,18 @@ TEST(Transient, ARateIsPredictedForKelvinElementsAlone) {
   }
 }
 
+/// The stress of the springs, integrated over z' = u', leaves G u^2 of the trailing edge, which
+/// falls at least as fast as the square of the recovery exp(-t / tau).
+TEST(Transient, ALineThatStoppedHasNoPredictedRateAndRelaxesFaster) {
+  Scene scene = parabola(SlidingKind::Step);
+  scene.sliding.velocityAfter = 0;
+  scene.sliding.duration = 0.01;
+  const Samples samples = transientSamples(scene, 500);
+  EXPECT_TRUE(std::isnan(samples.back().predictedRate));
+  const double jump = 0.5 * scene.sliding.duration, tau = scene.elastomer.relaxationTime;
+  EXPECT_GT(rateOf(samples, 0, jump + 0.1 * tau, jump + tau), 2 / tau);
+}
+
 /// At once by 4 eta L_c dv Var(z') / F_N where the line becomes slower.
 TEST(Transient, FrictionJumpsWithTheVelocity) {
   Scene scene = parabola(SlidingKind::Step);
@@ -369,7 +381,7 @@ TEST(Transient, AtConstantDepthTheForceFollows) {
   for (const TransientSample& sample : samples) EXPECT_EQ(sample.indentation, 4e-7);
 }
 
-/// In full contact at constant force there is no transient but the jump itself.
+/// In complete contact at constant force there is no transient but the jump itself.
 TEST(Transient, FullContactHasNone) {
   Scene scene = rough(SlidingKind::Step);
   scene.surface.elements = 100;

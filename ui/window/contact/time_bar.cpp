@@ -205,14 +205,15 @@ int TimeBar::durationWidth() const {
   return duration_ > 0 ? momentWidth(true) - momentWidth(false) : 0;
 }
 
-/// Shows the duration, which the axis of the charts has too, and the name of the pace, which its
-/// number also implies, where there is space for them.
+/// Shows the name of the pace and then the duration, which the axis of the charts has too, where
+/// there is space for them.
 void TimeBar::fit() {
   showsDuration_ = false;
   momentText_->setMinimumWidth(momentWidth(false));
-  const int spare = width() - minimumSizeHint().width(), forDuration = durationWidth();
-  showsDuration_ = duration_ > 0 && spare >= forDuration;
-  name_->setVisible(spare - (showsDuration_ ? forDuration : 0) >= nameWidth());
+  const int spare = width() - minimumSizeHint().width();
+  const bool showsName = spare >= nameWidth();
+  name_->setVisible(showsName);
+  showsDuration_ = duration_ > 0 && spare - (showsName ? nameWidth() : 0) >= durationWidth();
   momentText_->setMinimumWidth(momentWidth(showsDuration_));
   showMoment();
 }

@@ -107,7 +107,7 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   const double velocity = frame.scene->sliding.velocity;
   CurveReading reading;
   if (frame.contactFraction >= 1)
-    reading.regime = CurveReadingText::tr("full contact");
+    reading.regime = CurveReadingText::tr("complete contact");
   else if (velocity == 0 && !frame.transient)
     reading.regime = CurveReadingText::tr("at rest");
   const bool isSameScene = curve && haveSameCurve(*frame.scene, *curve->scene);

@@ -99,7 +99,7 @@ void SceneGallery::addCommand(QAction& command) {
 void SceneGallery::showTexts() {
   heading_->title().setText(tr("Choose a scene to begin with; everything in it can be changed"));
   filter_->setPlaceholderText(tr("Search ( / )"));
-  filter_->setAccessibleName(tr("filter of the scenes"));
+  filter_->setAccessibleName(tr("search in the scenes"));
   cards_->setAccessibleName(tr("scenes"));
   none_->setText(tr("No scene has these words. Escape clears them."));
   showCards();

@@ -155,8 +155,10 @@ QString windowStyleSheet(const Theme& theme) {
     QToolTip { background: %1; color: %2; border: 1px solid %3; padding: 3px; }
     QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
     QScrollBar::handle:vertical { background: %3; border-radius: 4px; min-height: 30px; }
-    QScrollBar::handle:vertical:disabled { background: transparent; }
-    QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
+    QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
+    QScrollBar::handle:horizontal { background: %3; border-radius: 4px; min-width: 30px; }
+    QScrollBar::handle:disabled { background: transparent; }
+    QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
   )")
              .arg(panel.name(), text.name(), edgeColour(theme).name(),

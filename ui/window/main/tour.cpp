@@ -57,7 +57,7 @@ std::span<const TourStep> Tour::steps() {
                QT_TR_NOOP("Raise the number of elements: finer tips move the fall "
                           "to higher velocities."),
                "surface.elements"},
-      TourStep{"full_contact", QT_TR_NOOP("Full contact"),
+      TourStep{"full_contact", QT_TR_NOOP("Complete contact"),
                QT_TR_NOOP("Under a high load the rubber fills every valley, and friction is "
                           "known exactly."),
                QT_TR_NOOP("Raise the velocity until the first valleys open: there the "

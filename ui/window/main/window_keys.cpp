@@ -131,8 +131,9 @@ void keepMnemonics(QMenu& menu) {
 namespace {
 
 constexpr int kAround = 40;           // pixels around the groups, including a scroll bar
-constexpr double kMinLetters = 0.72;  // smallest factor of the usual size of letters
+constexpr double kMinLetters = 0.85;  // smallest factor of the usual size of letters
 constexpr double kSmaller = 0.97;     // factor of one step
+constexpr qsizetype kMostColumns = 3;
 
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
@@ -260,30 +261,35 @@ qsizetype assignColumns(qsizetype maxLines, const QList<ShortcutGroup>& groups,
 
 }  // namespace
 
-/// Distributes the groups over columns so that the longest column is as short as possible.
 ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
   setObjectName("shortcutSheet");
   setWindowTitle(tr("Keyboard shortcuts"));
-  const QList<ShortcutGroup> groups = shortcutGroups(window) + gestureGroups();
+  groups_ = shortcutGroups(window) + gestureGroups();
   content_ = new QWidget;
-  auto* row = new QHBoxLayout(content_);
-  row->setSpacing(18);
-  QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
-  constexpr qsizetype kMaxColumns = std::size(columns);
-  QList<qsizetype> columnIndices;
-  qsizetype maxLines = 1;
-  while (assignColumns(maxLines, groups, columnIndices) > kMaxColumns) ++maxLines;
-  for (qsizetype i = 0; i < groups.size(); ++i)
-    columns[columnIndices[i]]->addWidget(groupWidget(groups[i]));
-  for (QVBoxLayout* column : columns) {
-    column->setSpacing(12);  // otherwise it takes the spacing of the row
-    column->addStretch(1);
-    row->addLayout(column);
-  }
+  for (const ShortcutGroup& group : groups_) widgets_ += groupWidget(group);
+  arrange(kMostColumns);
   auto* scroll = scrolled(content_);
   scroll->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);
+}
+
+/// Distributes the groups over columns so that the longest column is as short as possible.
+void ShortcutSheet::arrange(qsizetype columns) {
+  delete content_->layout();
+  auto* row = new QHBoxLayout(content_);
+  row->setSpacing(18);
+  QList<qsizetype> columnIndices;
+  qsizetype maxLines = 1;
+  while (assignColumns(maxLines, groups_, columnIndices) > columns) ++maxLines;
+  for (qsizetype column = 0; column < columns; ++column) {
+    auto* box = new QVBoxLayout;
+    box->setSpacing(12);  // otherwise it takes the spacing of the row
+    row->addLayout(box);
+    for (qsizetype i = 0; i < groups_.size(); ++i)
+      if (columnIndices[i] == column) box->addWidget(widgets_[i]);
+    box->addStretch(1);
+  }
 }
 
 QSize ShortcutSheet::neededSize() const {
@@ -293,19 +299,27 @@ QSize ShortcutSheet::neededSize() const {
   return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
 }
 
-/// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
-/// smaller where the list would be larger than the window.
+void ShortcutSheet::scaleLetters(double factor) {
+  for (QLabel* label : content_->findChildren<QLabel*>()) {
+    QFont font = label->font();  // with a style sheet it differs from the list's font
+    font.setPointSizeF(factor * font.pointSizeF());
+    label->setFont(font);
+  }
+}
+
+/// Makes the list as large as needed, once fonts and style are those of the screen. Where it would
+/// be larger than the window, its letters become a little smaller; where that is not enough, it has
+/// fewer columns that scroll.
 void ShortcutSheet::showEvent(QShowEvent* event) {
   const QSize available = parentWidget() ? parentWidget()->size() - kWindowFrame : neededSize();
-  const auto isTooLarge = [&](const QSize& size) {
-    return size.width() > available.width() || size.height() > available.height();
+  const auto fits = [&](bool mayScroll) {
+    const QSize size = neededSize();
+    return size.width() <= available.width() && (mayScroll || size.height() <= available.height());
   };
-  for (double scale = 1; isTooLarge(neededSize()) && scale > kMinLetters; scale *= kSmaller)
-    for (QLabel* label : content_->findChildren<QLabel*>()) {
-      QFont font = label->font();  // with a style sheet it differs from the list's font
-      font.setPointSizeF(kSmaller * font.pointSizeF());
-      label->setFont(font);
-    }
+  double scale = 1;
+  for (; !fits(false) && scale > kMinLetters; scale *= kSmaller) scaleLetters(kSmaller);
+  if (!fits(false)) scaleLetters(1 / scale);
+  for (qsizetype columns = kMostColumns; !fits(true) && columns > 1;) arrange(--columns);
   resize(neededSize().boundedTo(available));
   QDialog::showEvent(event);  // puts it over the middle of the window
 }

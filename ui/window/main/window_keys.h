@@ -53,8 +53,12 @@ class ShortcutSheet : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void arrange(qsizetype columns);
   QSize neededSize() const;
+  void scaleLetters(double factor);
 
+  QList<ShortcutGroup> groups_;
+  QList<QWidget*> widgets_;  // one for each group
   QWidget* content_;
 };
 

@@ -121,7 +121,7 @@ void WindowLayout::addTo(Commands& commands) {
                 [this] { moveBorder(-kBorderStep); },
                 {Qt::CTRL | Qt::ALT | Qt::Key_Up}});
   commands.add({"filterParameters",
-                [] { return tr("Filter parameters"); },
+                [] { return tr("Search parameters"); },
                 [this] { filterParameters(); },
                 {Qt::Key_Slash}});
   QAction* parameters = parts_.dock.toggleViewAction();

@@ -49,9 +49,9 @@ bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Para
   return same == b;
 }
 
-/// Returns "10 lines, 38 %": of how many the mean is that is shown, and how far the whole is.
+/// Returns "10 lines, 38 % done": of how many the mean is that is shown, and how far the whole is.
 QString shortProgress(std::int64_t shown, int percent) {
-  return MapPanel::tr("%1 lines, %2 %").arg(shown).arg(percent);
+  return MapPanel::tr("%1 lines, %2 % done").arg(shown).arg(percent);
 }
 
 bool holds(const MapAxis& axis, double value) {

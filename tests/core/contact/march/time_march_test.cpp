@@ -276,7 +276,7 @@ TEST(TimeMarch, FreeRelaxationIsExact) {
   }
 }
 
-/// Pressed by a constant force without sliding, full contact sinks as a Kelvin body does.
+/// Pressed by a constant force without sliding, complete contact sinks as a Kelvin body does.
 TEST(TimeMarch, CreepOfAFlatLine) {
   const Line flat = flatLine(50);
   TimeMarch march(std::make_shared<Line>(flat), 0, kelvin());

@@ -97,7 +97,7 @@ TEST(CurveReading, NamesTheRegime) {
   EXPECT_EQ(readCurve(frameAt(1e-3), &curve).regime, "region I, linear");
   EXPECT_EQ(readCurve(frameAt(1e3), &curve).regime, "region III, plateau");
   EXPECT_EQ(readCurve(frameAt(0), &curve).regime, "at rest");
-  EXPECT_EQ(readCurve(frameAt(1e-3, 1), &curve).regime, "full contact");
+  EXPECT_EQ(readCurve(frameAt(1e-3, 1), &curve).regime, "complete contact");
   CurveUpdate half = curve;
   half.isComplete = false;  // however many lines there are: a target may ask for more
   EXPECT_EQ(readCurve(frameAt(1e-3), &half).regime, "");
