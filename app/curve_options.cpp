@@ -407,7 +407,7 @@ ComputedCurves makeCurveSet(const CurveArguments& arguments, const ComparedScene
     Curve curve = computeCurve(other.scene, common);
     if (const auto missed = missedTarget(curve))
       curves.missed = curves.missed ? message("{}; {}: {}", *curves.missed, other.name,
-                                              PrintedNumber{printedNumber(curve.achievedError, 2)})
+                                              printed(curve.achievedError, 2))
                                     : message("{}: {}", other.name, *missed);
     other.points = std::move(curve.points);
   }

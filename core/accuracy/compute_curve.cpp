@@ -101,11 +101,10 @@ std::optional<Message> missedTarget(const Curve& curve) {
     return message(
         "accuracy.target_relative_error is not reached: {}; the mean over all rows of the surface "
         "is uncertain by {}, which only a larger piece of the surface lowers",
-        PrintedNumber{printedNumber(curve.achievedError, 2)},
-        PrintedNumber{printedNumber(curve.errorOfRows, 2)});
+        printed(curve.achievedError, 2), printed(curve.errorOfRows, 2));
   return message(
       "accuracy.target_relative_error is not reached within the lines and memory allowed: {}",
-      PrintedNumber{printedNumber(curve.achievedError, 2)});
+      printed(curve.achievedError, 2));
 }
 
 }  // namespace asperity

@@ -244,17 +244,16 @@ std::optional<Message> warningOf(const Scene& scene, const Prediction& predictio
         "are just in complete contact, where all have the same friction; other lines may not be");
   constexpr double kMany = 1e5;  // lines; a mean over so many of them is rarely meant
   if (!choosesAccuracy(scene) || prediction.lines < kMany) return {};
-  const PrintedNumber lines{printedNumber(prediction.lines, 2)};
+  const PrintedNumber lines = printed(prediction.lines, 2);
   if (prediction.lines > kMaxLines)
     return message(
         "accuracy.target_relative_error needs about {} lines at one velocity, and at most {} are "
         "computed: the run takes about {} and may miss the target",
-        lines, PrintedNumber{printedNumber(static_cast<double>(kMaxLines))},
-        PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
+        lines, printed(static_cast<double>(kMaxLines)), printed(prediction.seconds, "s", 2));
   return message(
       "accuracy.target_relative_error needs about {} lines at one velocity, and the run takes "
       "about {}; half the error needs four times as many lines",
-      lines, PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
+      lines, printed(prediction.seconds, "s", 2));
 }
 
 double ErrorBudget::total() const {

@@ -73,11 +73,11 @@ DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
 }
 
 Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& region) {
-  Diagram diagram{.title = message("region {}: {} to {} m/s", region.region,
-                                   PrintedNumber{printedNumber(region.velocities.front(), 2)},
-                                   PrintedNumber{printedNumber(region.velocities.back(), 2)}),
-                  .x = {"time of one velocity", "s"},
-                  .y = {"relative error of \u03BC", ""}};
+  Diagram diagram{
+      .title = message("region {}: {} to {} m/s", region.region,
+                       printed(region.velocities.front(), 2), printed(region.velocities.back(), 2)),
+      .x = {"time of one velocity", "s"},
+      .y = {"relative error of \u03BC", ""}};
   diagram.series = {
       frontSeries(region),
       methodSeries(region, Method::Literal, "literal march (difference)", SeriesMark::Square, 0),
@@ -90,7 +90,7 @@ Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& re
     diagram.series.push_back(presentSeries(*present));
   const double target = comparison.scene.accuracy.targetRelativeError;
   if (target > 0) {
-    DiagramSeries line{.name = message("target {}", PrintedNumber{printedNumber(target)}),
+    DiagramSeries line{.name = message("target {}", printed(target)),
                        .stroke = SeriesStroke::Dotted,
                        .isTheory = true};
     double fastest = region.points.front().secondsWithLine, slowest = fastest;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/text_encoding.h"
+
 namespace asperity {
 namespace {
 
@@ -145,7 +147,7 @@ std::string textOfEps(std::string_view bytes) {
 }  // namespace
 
 std::string embeddedProvenance(std::string_view bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return std::string(textOfPng(bytes));
   if (bytes.substr(0, 8).ends_with("ftyp")) return std::string(textOfMp4(bytes));
   if (bytes.starts_with("\x1A\x45\xDF\xA3")) return std::string(textOfWebm(bytes));

@@ -150,7 +150,7 @@ class Reader : public nlohmann::json_sax<Json> {
 };
 
 std::string_view withoutBlanks(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = withoutByteOrderMark(text);
   return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
 }
 

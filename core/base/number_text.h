@@ -38,9 +38,17 @@ std::string printedPower(double value, int digits = 3);
 std::string printedQuantity(double value, std::string_view unit, int digits = 3,
                             Zeros zeros = Zeros::Drop);
 
-/// Returns a part of a whole in percent, without the sign.
+/// Returns the same texts as values of a message, and a part of a whole in percent without the
+/// sign.
+inline PrintedNumber printed(double value, int digits = 3, Zeros zeros = Zeros::Drop) {
+  return {printedNumber(value, digits, zeros)};
+}
+inline PrintedNumber printed(double value, std::string_view unit, int digits = 3,
+                             Zeros zeros = Zeros::Drop) {
+  return {printedQuantity(value, unit, digits, zeros)};
+}
 inline PrintedNumber printedPercent(double part, int digits = 3) {
-  return {printedNumber(100 * part, digits)};
+  return printed(100 * part, digits);
 }
 
 /// Returns "10\u207B\u00B3".

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -220,7 +219,7 @@ void unifyUnits(TextBlock& block, std::size_t i, const std::string& name) {
   }
   for (std::size_t row = 0; row < block.rows && isMixed; ++row) {
     if (cells[row].unit.empty()) continue;  // a missing value
-    double& value = block.values[row * block.columns.size() + i];
+    double& value = block.at(row, i);
     value = findUnit(cells[row].unit)->toSi(value);
   }
   column.unit = isMixed ? std::string(of->si) : common;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <functional>
@@ -204,8 +203,7 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   const TextDialect comma{Separator::Comma, '.'};
   if (fit.columns % 2 != 0) return comma;
   const std::string_view names = lineBefore(sample, fit.firstRow);
-  std::vector<std::string_view> fields;
-  splitFields(names, Separator::Comma, fields);
+  const std::vector<std::string_view> fields = splitFields(names, Separator::Comma);
   if (fields.size() == fit.columns) return comma;
   // There may be as many names as pairs; a single name counts only with a unit, as it may be a
   // title.

@@ -39,6 +39,17 @@ TextDialect detectDialect(std::string_view text, bool readsCells = false);
 /// field, do not count. The fields still have their blanks and quotes.
 void splitFields(std::string_view line, TextDialect::Separator separator,
                  std::vector<std::string_view>& fields);
+/// Returns the fields of one line.
+inline std::vector<std::string_view> splitFields(std::string_view line,
+                                                 TextDialect::Separator separator) {
+  std::vector<std::string_view> fields;
+  splitFields(line, separator, fields);
+  return fields;
+}
+/// Returns the words between blanks; a quoted text is one word.
+inline std::vector<std::string_view> splitWords(std::string_view line) {
+  return splitFields(line, TextDialect::Separator::Blanks);
+}
 
 /// Replaces `fields` by those of a row of numbers. A comment at its end, a blank with "#" or "//"
 /// and what follows, is left out where the fields in front of it are numbers alone.

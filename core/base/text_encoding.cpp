@@ -211,8 +211,7 @@ bool isUtf8(std::string_view text) {
 
 DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     : text(bytes), encoding("UTF-8") {
-  constexpr std::string_view kMark8 = "\xEF\xBB\xBF", kMarkLittle = "\xFF\xFE",
-                             kMarkBig = "\xFE\xFF";
+  constexpr std::string_view kMarkLittle = "\xFF\xFE", kMarkBig = "\xFE\xFF";
   const std::string_view kind = detectNonText(bytes);
   if (kind == "text in UTF-16") {
     const bool hasMark = bytes.starts_with(kMarkLittle) || bytes.starts_with(kMarkBig);
@@ -222,8 +221,8 @@ DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     encoding = "UTF-16";
   } else if (!kind.empty()) {
     throw InputError(name, "", message("is {}, not a table of numbers as text", Message(kind)));
-  } else if (bytes.starts_with(kMark8)) {
-    text = bytes.substr(kMark8.size());
+  } else {
+    text = withoutByteOrderMark(bytes);
   }
   if (encoding == "UTF-8" && !isUtf8(text)) {
     converted = utf8OfShiftJis(text);

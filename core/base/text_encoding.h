@@ -13,6 +13,12 @@ namespace asperity {
 /// file"; empty where the bytes may be text in UTF-8. It examines only the beginning.
 std::string_view detectNonText(std::string_view bytes);
 
+/// Returns the bytes without the byte order mark of UTF-8 at their beginning.
+constexpr std::string_view withoutByteOrderMark(std::string_view bytes) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return bytes.starts_with(kMark) ? bytes.substr(kMark.size()) : bytes;
+}
+
 /// The text of a file in UTF-8, without its byte order mark, each line ended by LF or CR LF.
 struct DecodedText {
   std::string_view text;      // of the bytes given, or of `converted`

@@ -28,7 +28,10 @@ std::string_view withoutCommentMark(std::string_view line, const TextDialect& di
 /// Returns the position of the ":" or "=" that ends a key; npos where there is none.
 std::size_t keyEnd(std::string_view line);
 
-/// Reads the key and the value of a line.
+/// Returns whether a text ends with a number and its unit, as "Load 30 N" does.
+bool statesQuantity(std::string_view text);
+
+/// Reads the key and the value of a line (text_entry.cpp).
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 
 /// Separates the name of a column and its unit: "x (mm)", "z/um", "Height [\u00B5m]", "freq_Hz", "x

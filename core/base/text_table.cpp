@@ -158,7 +158,7 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       const std::string unit = inner.unit.empty() ? column.unit : inner.unit;
       column = {inner.name, unit, false};
       for (std::size_t row = 0; row < block.rows; ++row) {
-        double& value = block.values[row * block.columns.size() + i];
+        double& value = block.at(row, i);
         value = std::pow(found->second, value);
         if (std::isinf(value)) value = std::numeric_limits<double>::quiet_NaN();
       }

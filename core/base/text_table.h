@@ -55,6 +55,7 @@ struct TextBlock {
   double at(std::size_t row, std::size_t column) const {
     return values[row * columns.size() + column];
   }
+  double& at(std::size_t row, std::size_t column) { return values[row * columns.size() + column]; }
   std::vector<double> column(std::size_t number) const;
   /// Appends a column with a number in each row.
   void append(TextColumn column, const std::vector<double>& numbers);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -125,8 +124,7 @@ class TableReader {
   bool isRemark(const TextLine& line) const {
     const std::string_view text = trimmedBlanks(line.text);
     if (!text.starts_with(';')) return withoutRemarkMark(text).size() != text.size();
-    std::vector<std::string_view> fields;
-    splitFields(text, table_.dialect.separator, fields);
+    const std::vector<std::string_view> fields = splitFields(text, table_.dialect.separator);
     return table_.dialect.separator != TextDialect::Separator::Semicolon ||
            fields.size() != block().columns.size();
   }
@@ -445,8 +443,7 @@ class TableReader {
       const std::string_view names = withoutCommentMark(above->text, table_.dialect);
       if (!splitNames(names, table_.dialect, columns).empty()) return true;
       // Names stand above their units, and the last column may have none.
-      std::vector<std::string_view> fields;
-      splitFields(names, table_.dialect.separator, fields);
+      const std::vector<std::string_view> fields = splitFields(names, table_.dialect.separator);
       const bool isEmpty = std::ranges::all_of(
           fields, [](std::string_view field) { return trimmedField(field).empty(); });
       if (!isEmpty && !areUnits({fields.begin(), fields.end()})) return false;

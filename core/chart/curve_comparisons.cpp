@@ -193,9 +193,8 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
   DiagramSeries zero{.isTheory = true};
   for (std::size_t i = 0; i < set.difference->points.size(); ++i) {
     const DifferencePoint& point = set.difference->points[i];
-    const double value = 100 * point.relative, error = 100 * point.standardError;
-    series.points.push_back(
-        {point.velocity * factor, value, value - error, value + error, static_cast<int>(i)});
+    series.points.push_back(pointWithError(point.velocity * factor, 100 * point.relative,
+                                           100 * point.standardError, static_cast<int>(i)));
     zero.points.push_back({point.velocity * factor, 0});
   }
   fixDifferenceAxis(diagram.y, series);

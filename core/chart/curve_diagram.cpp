@@ -47,9 +47,8 @@ Message presentName(const CurveSet& set) {
 /// factors at each velocity.
 DiagramPoint diagramPoint(const CurvePoint& point, const Scene& scene, const CurveSet& set,
                           int row) {
-  const double value = ordinate(point, set);
   const double error = point.muStandardError * perFriction(set.quantity(), point);
-  return {abscissa(point, scene, set), value, value - error, value + error, row};
+  return pointWithError(abscissa(point, scene, set), ordinate(point, set), error, row);
 }
 
 /// Returns the known points with error bars.

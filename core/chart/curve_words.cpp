@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 /// Returns the table's symbol in printed letters.
-std::string printed(std::string_view symbol) {
+std::string printedSymbol(std::string_view symbol) {
   constexpr std::pair<std::string_view, std::string_view> letters[] = {
       {"tau", "\u03C4"},           {"eta", "\u03B7"},
       {"kappa", "\u03BA"},         {"lambda_r", "\u03BB\u1D63"},
@@ -28,7 +28,7 @@ std::string printed(std::string_view symbol) {
 /// Returns a value of a row with its unit; a pure number has all digits that were entered.
 PrintedNumber printedValue(double value, const Parameter& row) {
   constexpr int kDigits = 6;
-  return {row.unit.empty() ? printedNumber(value, kDigits) : printedQuantity(value, row.unit)};
+  return row.unit.empty() ? printed(value, kDigits) : printed(value, row.unit);
 }
 
 /// Returns the parameter as text; empty where the row has no symbol, or the effect is not present.
@@ -39,8 +39,8 @@ Message inWords(const Parameter& row, const Scene& scene) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (real && *real == 0 && (value == defaultValue(row) || isTakenFromSurfaceFile(row, scene, 0)))
     return {};
-  if (real) return message("{} = {}", printed(row.symbol), printedValue(*real, row));
-  if (whole && *whole > 0) return message("{} = {}", printed(row.symbol), *whole);
+  if (real) return message("{} = {}", printedSymbol(row.symbol), printedValue(*real, row));
+  if (whole && *whole > 0) return message("{} = {}", printedSymbol(row.symbol), *whole);
   return {};
 }
 
@@ -112,7 +112,7 @@ Message parameterTitle(std::string_view key) {
   std::string plainSymbol(row.symbol);
   std::erase(plainSymbol, '_');
   if (row.symbol.empty() || row.label.ends_with(" " + plainSymbol)) return row.label;
-  return message("{} {}", Message(row.label), printed(row.symbol));
+  return message("{} {}", Message(row.label), printedSymbol(row.symbol));
 }
 
 Message describeParameter(std::string_view key, const Scene& scene) {

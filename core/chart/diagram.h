@@ -64,6 +64,11 @@ struct DiagramPoint {
   bool operator==(const DiagramPoint&) const = default;
 };
 
+/// Returns a point with a bar of this error to each side; NaN: without one.
+inline DiagramPoint pointWithError(double x, double y, double error, int row = -1) {
+  return {x, y, y - error, y + error, row};
+}
+
 /// A ring is open and larger than the others, because it encloses one of them.
 enum class SeriesMark { None, Circle, Square, Triangle, Diamond, Ring };
 enum class SeriesStroke { None, Solid, Dashed, Dotted };

@@ -55,7 +55,7 @@ constexpr const char* kRangeInWords =
     "ranges: one standard error to each side, by the points' errors and the spread of the lines";
 
 PrintedNumber inUnit(const FittedParameter& parameter, double value) {
-  return {printedQuantity(value, findParameter(parameter.key)->unit)};
+  return printed(value, findParameter(parameter.key)->unit);
 }
 
 Message withRange(const Message& name, const FittedParameter& parameter) {
@@ -247,7 +247,7 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   // What was fitted is friction as it is measured: with local friction (showsTotal).
   for (const CurvePoint& point : set.present.points) {
     const double mu = totalMu(point), error = mu * errorAt(errors, point.velocity);
-    if (std::isfinite(error)) band.points.push_back({point.velocity, mu, mu - error, mu + error});
+    if (std::isfinite(error)) band.points.push_back(pointWithError(point.velocity, mu, error));
   }
   Diagram& curves = sheet.diagrams.front();
   curves.series.insert(curves.series.begin(), std::move(band));

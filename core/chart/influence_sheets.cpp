@@ -77,7 +77,7 @@ DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& a
   sheet.note = message(
       "At {} m/s: by how many per cent friction changes where a parameter changes by one per cent. "
       "Lines: one standard error, with an arrow where it goes on. Pale: smaller than its error.",
-      PrintedNumber{printedNumber(scene.sliding.velocity)});
+      printed(scene.sliding.velocity));
   return sheet;
 }
 
@@ -124,9 +124,8 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
   zero.isTheory = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint& state = points[i].state;
-    const double error = state.muStandardError;
     mu.points.push_back(
-        {points[i].wavelength, state.mu, state.mu - error, state.mu + error, static_cast<int>(i)});
+        pointWithError(points[i].wavelength, state.mu, state.muStandardError, static_cast<int>(i)));
     if (i == 0) continue;
     // The step belongs to the waves between its two cut-offs.
     const double middle = std::sqrt(points[i - 1].wavelength * points[i].wavelength);

@@ -175,11 +175,11 @@ NamedSheet masterSheet(const Material& material) {
                      .columns = 1};
   if (material.isMeasured()) {
     const FrequencyRange range = fittedRange(material);
-    sheet.subtitle = message(
-        "{}, G\u221E = {}, rms residual {} % of G\u2032 and {} % of G\u2033",
-        describeArms(material.series.arms.size()),
-        PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
-        printedPercent(material.series.rmsStorage, 2), printedPercent(material.series.rmsLoss, 2));
+    sheet.subtitle = message("{}, G\u221E = {}, rms residual {} % of G\u2032 and {} % of G\u2033",
+                             describeArms(material.series.arms.size()),
+                             printed(material.series.equilibriumModulus, "Pa"),
+                             printedPercent(material.series.rmsStorage, 2),
+                             printedPercent(material.series.rmsLoss, 2));
     Diagram& master = sheet.diagrams.front();
     master.x.from = range.from / 1.5;
     master.x.to = range.to * 1.5;
@@ -252,26 +252,21 @@ NamedSheet shiftsSheet(const Material& material) {
       .name = "from G\u2033 alone", .mark = SeriesMark::Triangle, .stroke = SeriesStroke::Dotted};
   for (const IsothermShift& shift : material.curve.shifts) {
     const double temperature = shift.temperature - kZeroCelsius;
-    DiagramPoint point{temperature, shift.log10Shift};
-    if (std::isfinite(shift.standardError) && shift.standardError > 0) {
-      point.low = shift.log10Shift - shift.standardError;
-      point.high = shift.log10Shift + shift.standardError;
-    }
-    both.points.push_back(point);
+    const bool hasError = std::isfinite(shift.standardError) && shift.standardError > 0;
+    both.points.push_back(pointWithError(temperature, shift.log10Shift,
+                                         hasError ? shift.standardError : kNotApplicable));
     storage.points.push_back({temperature, shift.fromStorage});
     loss.points.push_back({temperature, shift.fromLoss});
   }
   diagram.series = {std::move(storage), std::move(loss), std::move(both)};
   if (material.wlf.isDefined)
     diagram.series.push_back(formulaSeries(
-        material, material.wlf,
-        message("WLF, {} decades rms", PrintedNumber{printedNumber(material.wlf.rms, 2)}),
+        material, material.wlf, message("WLF, {} decades rms", printed(material.wlf.rms, 2)),
         SeriesStroke::Solid));
   if (material.arrhenius.isDefined)
     diagram.series.push_back(
         formulaSeries(material, material.arrhenius,
-                      message("Arrhenius, {} decades rms",
-                              PrintedNumber{printedNumber(material.arrhenius.rms, 2)}),
+                      message("Arrhenius, {} decades rms", printed(material.arrhenius.rms, 2)),
                       SeriesStroke::Dashed));
   sheet.diagrams = {std::move(diagram)};
   return {"shifts", std::move(sheet)};
@@ -401,10 +396,10 @@ Message describeExcitation(const Scene& scene, const Excitation& excitation) {
   const double velocity = scene.sliding.velocity;
   const auto band = excitation.band(velocity);
   if (!band) return "the line excites no loss at this velocity";
-  const auto hertz = [](double value) { return PrintedNumber{printedQuantity(value, "Hz")}; };
-  const Message excited = message("at {} the line excites {} to {}, half of the loss below {}",
-                                  PrintedNumber{printedQuantity(velocity, "m/s")},
-                                  hertz(band->from), hertz(band->to), hertz(band->median));
+  const auto hertz = [](double value) { return printed(value, "Hz"); };
+  const Message excited =
+      message("at {} the line excites {} to {}, half of the loss below {}",
+              printed(velocity, "m/s"), hertz(band->from), hertz(band->to), hertz(band->median));
   const auto measured = measuredFrequencies(scene.elastomer);
   const double outside = excitation.shareNotMeasured(velocity);
   if (!measured || std::isnan(outside)) return excited;

@@ -1,7 +1,6 @@
 #include "core/fit/friction_columns.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -162,17 +161,11 @@ std::optional<Quantity> namedTwice(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> blankSeparated(std::string_view text) {
-  std::vector<std::string_view> fields;
-  splitFields(text, TextDialect::Separator::Blanks, fields);
-  return {fields.begin(), fields.end()};
-}
-
 std::vector<std::string> nameWords(std::string text) {
   std::ranges::replace(text, '_', ' ');
   std::ranges::replace(text, '-', ' ');
   std::vector<std::string> words;
-  for (const std::string& word : blankSeparated(text)) words.push_back(plainWord(word));
+  for (const std::string_view word : splitWords(text)) words.push_back(plainWord(word));
   std::erase(words, std::string());
   return words;
 }

@@ -90,7 +90,5 @@ bool isOtherLoad(const std::vector<std::string>& words);
 /// Returns the words of a name in letters and digits: "fz", "track" and "mean" of "Fz_track
 /// (mean)".
 std::vector<std::string> nameWords(std::string text);
-/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
-std::vector<std::string> blankSeparated(std::string_view text);
 
 }  // namespace asperity

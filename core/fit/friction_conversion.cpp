@@ -1,7 +1,6 @@
 #include "core/fit/friction_roles.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -123,8 +122,7 @@ std::vector<Message> fillGroups(TextBlock& block, const FrictionRoles& roles) {
     if (role == nullptr) continue;
     const auto filled = filledDown(block, role->index, roles.find(Quantity::Mu)->index);
     if (!filled) continue;
-    for (std::size_t row = 0; row < block.rows; ++row)
-      block.values[row * block.columns.size() + role->index] = (*filled)[row];
+    for (std::size_t row = 0; row < block.rows; ++row) block.at(row, role->index) = (*filled)[row];
     notes.push_back(standsInFirstRows(block.label(role->index)));
   }
   return notes;

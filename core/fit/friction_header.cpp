@@ -184,8 +184,8 @@ std::optional<FrictionQuantity> findLoadUnit(std::string_view text) {
 /// Returns a text without its fillers.
 std::string withoutFillers(std::string_view text) {
   std::string kept;
-  for (const std::string& word : blankSeparated(text)) {
-    const std::vector<std::string> plain = nameWords(word);
+  for (const std::string_view word : splitWords(text)) {
+    const std::vector<std::string> plain = nameWords(std::string(word));
     if (plain.size() != 1 || !isFiller(plain.front())) appendItem(kept, word, " ");
   }
   return kept;

@@ -22,7 +22,7 @@ namespace {
 /// Calls use(column, end) for each column with a known meaning that the words from `begin` to `end`
 /// make, `most` words at the most, until it returns true. Returns whether it did.
 template <class Use>
-bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::size_t most,
+bool anyColumn(const std::vector<std::string_view>& words, std::size_t begin, std::size_t most,
                const Use& use) {
   std::string text;
   for (std::size_t i = begin; i < std::min(words.size(), begin + most); ++i) {
@@ -34,7 +34,7 @@ bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::si
 }
 
 /// Finds all ways to make so many known columns of the words from `begin` on.
-void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
+void findNames(const std::vector<std::string_view>& words, std::size_t begin, std::size_t count,
                std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
   constexpr std::size_t kMaxWords = 6, kMaxWays = 2;
   if (ways.size() >= kMaxWays) return;
@@ -57,8 +57,8 @@ void findNames(TextBlock& block) {
   if (block.hasNames() || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
-  findNames(blankSeparated(joinEntry(block.header.back(), " ")), 0, block.columns.size(), made,
-            ways);
+  const std::string line = joinEntry(block.header.back(), " ");
+  findNames(splitWords(line), 0, block.columns.size(), made, ways);
   for (std::size_t i = 0; ways.size() == 1 && i < block.columns.size(); ++i) {
     block.columns[i].name = ways.front()[i].name;
     block.columns[i].unit = ways.front()[i].unit;
@@ -278,7 +278,7 @@ bool hasErrors(const std::vector<TextCell>& cells) {
 
 bool namesQuantity(const std::string& line) {
   constexpr std::size_t kMaxWords = 3;
-  const std::vector<std::string> words = blankSeparated(line);
+  const std::vector<std::string_view> words = splitWords(line);
   for (std::size_t i = 0; i < words.size(); ++i)
     if (anyColumn(words, i, kMaxWords, [](const TextColumn& column, std::size_t) {
           return findMeaning(column) != FrictionQuantity::Label && column.name.size() > 1;

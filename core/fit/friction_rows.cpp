@@ -62,8 +62,8 @@ class RowReader {
     return message(
         "column {} contradicts the forces: in the median it is {} times the force of friction in "
         "column {} over the normal force; it is read as the coefficient of friction",
-        shortened(block_.columns[roles_.find(Quantity::Mu)->index].name),
-        PrintedNumber{printedNumber(*ratio, 3)}, shortened(block_.columns[index].name));
+        shortened(block_.columns[roles_.find(Quantity::Mu)->index].name), printed(*ratio, 3),
+        shortened(block_.columns[index].name));
   }
 
   /// Returns the points; rows without a value in a column that is used are left out.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/excitation.h"
@@ -46,28 +47,17 @@ CurvePoint CurveAverages::point(double velocity) const {
 namespace {
 
 /// The smallest and the largest of several values, in words: "0.5 N", "0.5 N to 2 N".
-class PrintedRange {
- public:
-  void add(double value) {
-    least_ = std::min(least_, value);
-    most_ = std::max(most_, value);
-  }
-  bool empty() const { return least_ > most_; }
-  Message inUnit(std::string_view unit) const {
-    constexpr int kDigits = 6;
-    const PrintedNumber least{printedQuantity(least_, unit, kDigits)},
-        most{printedQuantity(most_, unit, kDigits)};
-    return least.text == most.text ? Message(least) : message("{} to {}", least, most);
-  }
-
- private:
-  double least_ = std::numeric_limits<double>::infinity(), most_ = -least_;
-};
+Message extentText(const Extent& values, std::string_view unit) {
+  constexpr int kDigits = 6;
+  const PrintedNumber least = printed(values.least, unit, kDigits),
+                      most = printed(values.most, unit, kDigits);
+  return least.text == most.text ? Message(least) : message("{} to {}", least, most);
+}
 
 }  // namespace
 
 std::optional<Message> pressureNote(std::span<const CurvePoint> points, double width) {
-  PrintedRange pressures, forces, periods;
+  Extent pressures, forces, periods;
   for (const CurvePoint& point : points) {
     const double line = point.normalForce / point.nominalPressure;  // period times width
     if (!std::isgreater(line, 0)) continue;
@@ -75,18 +65,19 @@ std::optional<Message> pressureNote(std::span<const CurvePoint> points, double w
     forces.add(point.normalForce);
     periods.add(width > 0 ? line / width : std::sqrt(line));
   }
-  if (pressures.empty()) return {};
+  if (pressures.isEmpty()) return {};
+  const Message pressure = extentText(pressures, "Pa"), force = extentText(forces, "N"),
+                period = extentText(periods, "m");
   return width > 0 ? message(
                          "the nominal pressure of {} is a normal force of {}: pressure times the "
                          "period of {} times the width of {} (load.width)",
-                         pressures.inUnit("Pa"), forces.inUnit("N"), periods.inUnit("m"),
-                         PrintedNumber{printedQuantity(width, "m")})
+                         pressure, force, period, printed(width, "m"))
                    : message(
                          "the nominal pressure of {} is a normal force of {}: pressure times the "
                          "period of {} times the width, for which the period is taken because none "
                          "is given; results depend on it, so set load.width (with load.kind "
                          "pressure)",
-                         pressures.inUnit("Pa"), forces.inUnit("N"), periods.inUnit("m"));
+                         pressure, force, period);
 }
 
 std::optional<Message> pressureNote(const Scene& scene) {

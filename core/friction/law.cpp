@@ -41,15 +41,6 @@ double plateauFriction(double rmsSlopeContact) {
   return std::numbers::sqrt2 * rmsSlopeContact;
 }
 
-double onesidedFriction(std::span<const double> slopesInContact) {
-  double squares = 0, magnitudes = 0;
-  for (const double slope : slopesInContact) {
-    squares += slope * slope;
-    magnitudes += std::abs(slope);
-  }
-  return squares / magnitudes;
-}
-
 double frictionLaw(const LawInput& in, double beta) {
   if (in.velocity == 0 || in.relaxationTime == 0) return 0;
   const double slow = lowVelocityFriction(in, forceExponent(in.hurst), beta);
@@ -58,11 +49,6 @@ double frictionLaw(const LawInput& in, double beta) {
 
 double frictionLaw(const LawInput& in) {
   return frictionLaw(in, lawPrefactor(in.hurst));
-}
-
-double dimensionlessFriction(double velocity, double force, double hurst) {
-  const double resistance = squared(force / 4) + std::pow(force, 2 * forceExponent(hurst));
-  return 1 / std::sqrt(1 + resistance / squared(velocity));
 }
 
 double dimensionlessVelocity(const LawInput& in) {

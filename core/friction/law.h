@@ -1,13 +1,9 @@
-// The analytical law of friction: Eqs. (5) to (14) of Li et al., PRL 111, 034301 (2013), each as
-// one function under its number. Pure; SI units; slopes are root mean squares.
-//
-// Where the paper's text and its own derivation differ, the derivation is taken: Eq. (10)'s second
-// line lacks the square root of L_cont, and sqrt(2) in Eq. (9) assumes exponentially distributed
-// slopes (random phases give Gaussian ones). Eq. (12) silently sets beta = 1; it is kept as printed
-// and is up to 1.95 times below Eq. (11).
+// The analytical law of friction: Eqs. (5) to (9), (11), (13) and (14) of Li et al., PRL 111,
+// 034301 (2013), each as one function under its number. Pure; SI units; slopes are root mean
+// squares. Eq. (10) leads to Eq. (9), whose sqrt(2) assumes exponentially distributed slopes;
+// random phases give Gaussian ones, and sqrt(pi / 2). Eq. (12) is Eq. (11) without dimensions for
+// beta = 1, and is up to 1.95 times below Eq. (11) with the measured beta.
 #pragma once
-
-#include <span>
 
 #include "core/material/element_law.h"
 #include "core/surface/line.h"
@@ -56,17 +52,11 @@ double fullContactFriction(const LawInput& in);
 /// Eq. (9): mu = sqrt(2) grad_cont.
 double plateauFriction(double rmsSlopeContact);
 
-/// Eq. (10): integral of z'^2 over integral of |z'|, over the contact; equal weights for samples.
-double onesidedFriction(std::span<const double> slopesInContact);
-
 /// Eq. (11) with alpha from Eq. (7).
 double frictionLaw(const LawInput& in, double beta);
 
 /// Eq. (11) with the measured beta(H) of lawPrefactor.
 double frictionLaw(const LawInput& in);
-
-/// Eq. (12): mu / (sqrt(2) grad_cont) from Eqs. (13) and (14); beta = 1.
-double dimensionlessFriction(double dimensionlessVelocity, double dimensionlessForce, double hurst);
 
 /// Eq. (13): tau v grad / (sqrt(2) h).
 double dimensionlessVelocity(const LawInput& in);

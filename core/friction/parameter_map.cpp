@@ -307,19 +307,26 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
   return root;
 }
 
+namespace {
+
+/// Returns the exponents of all cells where they are the quantity; else nothing.
+std::vector<double> exponentColumn(const ParameterMap& map, std::string_view quantity) {
+  return quantity == kExponent ? mapValues(map, quantity) : std::vector<double>();
+}
+
+}  // namespace
+
 std::string mapCsv(const ParameterMap& map, std::string_view quantity) {
   const auto names = keyColumns(map);
   const CurveTable table = makeCurveTable(map);
-  const bool hasExponent = quantity == kExponent;
-  const std::vector<double> exponent =
-      hasExponent ? mapValues(map, quantity) : std::vector<double>();
+  const std::vector<double> exponent = exponentColumn(map, quantity);
   std::string text = names[0] + "," + names[1] + "," + table.header() +
-                     (hasExponent ? "," + kExponent.text() : std::string()) + "\n";
+                     (!exponent.empty() ? "," + kExponent.text() : std::string()) + "\n";
   const std::size_t columns = map.x.values.size();
   for (std::size_t k = 0; k < map.points.size(); ++k) {
     text += fmt::format("{},{},{}", map.x.values[k % columns], map.y.values[k / columns],
                         table.row(map.points[k]));
-    if (hasExponent) text += "," + csvNumber(exponent[k]);
+    if (!exponent.empty()) text += "," + csvNumber(exponent[k]);
     text += '\n';
   }
   return text;
@@ -328,9 +335,7 @@ std::string mapCsv(const ParameterMap& map, std::string_view quantity) {
 std::string mapJson(const ParameterMap& map, std::string_view quantity) {
   const auto names = keyColumns(map);
   const CurveTable table = makeCurveTable(map);
-  const bool hasExponent = quantity == kExponent;
-  const std::vector<double> exponent =
-      hasExponent ? mapValues(map, quantity) : std::vector<double>();
+  const std::vector<double> exponent = exponentColumn(map, quantity);
   Json root = mapProvenance(map, quantity);
   Json points = Json::array();
   const std::size_t columns = map.x.values.size();
@@ -339,7 +344,7 @@ std::string mapJson(const ParameterMap& map, std::string_view quantity) {
     row[names[0]] = map.x.values[k % columns];
     row[names[1]] = map.y.values[k / columns];
     row.update(table.json(map.points[k]));
-    if (hasExponent) row[kExponent.text()] = numberOrNull(exponent[k]);
+    if (!exponent.empty()) row[kExponent.text()] = numberOrNull(exponent[k]);
     points.push_back(std::move(row));
   }
   root["points"] = std::move(points);

@@ -72,7 +72,7 @@ void keepAsTexts(TextBlock& block, std::size_t column) {
 /// be one of remarks.
 bool haveOneUnit(TextBlock& block, std::size_t column, const std::string& name) {
   const TextColumn& written = block.columns[column];
-  const bool isKnown = dmaColumn(written.name, written.unit).quantity != DmaQuantity::None;
+  const bool isKnown = dmaColumn(written).quantity != DmaQuantity::None;
   try {
     unifyUnits(block, column, name);
     return isKnown || std::ranges::none_of(block.cells[column], isComplex);

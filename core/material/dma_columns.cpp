@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -302,8 +301,7 @@ double shearFromYoungs(double youngs, double poisson) {
 
 Message dividedForShear(double poisson) {
   return message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
-                 PrintedNumber{printedNumber(2 * (1 + poisson))},
-                 PrintedNumber{printedNumber(poisson)});
+                 printed(2 * (1 + poisson)), printed(poisson));
 }
 
 DmaColumn dmaColumn(std::string_view name, std::string_view unit) {

@@ -10,6 +10,7 @@
 
 #include "core/base/message.h"
 #include "core/base/text.h"
+#include "core/base/text_table.h"
 #include "core/base/units.h"
 #include "core/material/text_quantities.h"
 
@@ -75,6 +76,9 @@ struct DmaColumn {
 /// "omega", "Temp.", "G'' @ 20 \u00B0C", ... The unit helps where the brackets of the name contain
 /// a temperature.
 DmaColumn dmaColumn(std::string_view name, std::string_view unit);
+inline DmaColumn dmaColumn(const TextColumn& column) {
+  return dmaColumn(column.name, column.unit);
+}
 
 /// Returns a name in lower case, with plain primes, with Greek letters as words, and without
 /// blanks, brackets, "_", "-" and ".": "gdelta" for "G_\u03B4".

@@ -53,7 +53,7 @@ class Reader {
     const TextBlock& block = table_.largest();
     for (std::size_t i = 0; i < block.columns.size(); ++i)
       if (block.columns[i].isText && !block.texts[i].empty() &&
-          dmaColumn(block.columns[i].name, block.columns[i].unit).quantity != None)
+          dmaColumn(block.columns[i]).quantity != None)
         throw InputError(name_, block.label(i),
                          message("line {}: '{}' is not a number", block.lines.front(),
                                  shortened(block.texts[i].front())));
@@ -95,7 +95,7 @@ class Reader {
   void refuseOtherKind(const TextBlock& block) const {
     std::string others;
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
-      const DmaColumn column = dmaColumn(block.columns[i].name, block.columns[i].unit);
+      const DmaColumn column = dmaColumn(block.columns[i]);
       if (isModulus(column.quantity) && column.kind != ModulusKind::Unknown &&
           column.kind != choices_.modulus)
         appendItem(others, shortened(block.label(i)));
@@ -287,7 +287,7 @@ bool isSweep(const TextBlock& block) {
   std::size_t moduli = 0;
   bool hasFrequency = false;
   for (const TextColumn& column : block.columns) {
-    const DmaQuantity quantity = dmaColumn(column.name, column.unit).quantity;
+    const DmaQuantity quantity = dmaColumn(column).quantity;
     moduli += isMeasured(quantity) ? 1 : 0;
     hasFrequency = hasFrequency || quantity == Frequency;
   }
@@ -298,9 +298,7 @@ bool isSweep(const TextBlock& block) {
 /// without frequencies.
 void invertPeriods(TextTable& table, std::vector<Message>& notes) {
   for (TextBlock& block : table.blocks) {
-    const auto quantityOf = [](const TextColumn& column) {
-      return dmaColumn(column.name, column.unit).quantity;
-    };
+    const auto quantityOf = [](const TextColumn& column) { return dmaColumn(column).quantity; };
     const auto isPeriod = [](const TextColumn& column) {
       return isOneOf(compactName(column.name),
                      "period periode periodo oscillationperiod periodendauer schwingungsdauer") &&
@@ -318,7 +316,7 @@ void invertPeriods(TextTable& table, std::vector<Message>& notes) {
     *period = {"frequency", "Hz"};
     const auto index = static_cast<std::size_t>(period - block.columns.begin());
     for (std::size_t row = 0; row < block.rows; ++row) {
-      double& value = block.values[row * block.columns.size() + index];
+      double& value = block.at(row, index);
       value = 1 / (value * size);
     }
   }

@@ -103,8 +103,7 @@ ModulusKind kindOfModuli(const DmaBlock& in, std::initializer_list<std::size_t> 
                          std::vector<Message>& notes) {
   ModulusKind kind = ModulusKind::Unknown;
   for (const std::size_t column : columns) {
-    const ModulusKind next =
-        dmaColumn(in.block.columns[column].name, in.block.columns[column].unit).kind;
+    const ModulusKind next = dmaColumn(in.block.columns[column]).kind;
     if (next == ModulusKind::Unknown) continue;
     if (kind != ModulusKind::Unknown && kind != next)
       throw InputError(in.fileName, in.block.label(column),
@@ -145,8 +144,7 @@ std::optional<Message> otherPoissonNote(const DmaBlock& in) {
       if (containsOneOf(name, "poisson querkontraktion querdehn") || isOneOf(name, "nu \u03BD"))
         return message(
             "line {} states a Poisson's ratio of {}, and {} is used; --poisson-ratio replaces it",
-            entry->line, PrintedNumber{printedNumber(stated->quantity.number)},
-            PrintedNumber{printedNumber(in.choices.poissonRatio)});
+            entry->line, printed(stated->quantity.number), printed(in.choices.poissonRatio));
     }
   }
   return {};
@@ -166,7 +164,7 @@ std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage
   const bool isShear = kind == ModulusKind::Shear;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     const TextColumn& other = block.columns[i];
-    const DmaColumn meaning = dmaColumn(other.name, other.unit);
+    const DmaColumn meaning = dmaColumn(other);
     if (other.isText || meaning.quantity != DmaQuantity::Storage ||
         meaning.form != MeasuredForm::Modulus || meaning.kind == ModulusKind::Unknown ||
         meaning.kind == kind)
@@ -179,8 +177,8 @@ std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage
       if (isPositive(one) && isPositive(used)) ratios.push_back(isShear ? one / used : used / one);
     }
     if (ratios.empty()) return {};
-    const PrintedNumber ratio{printedNumber(upperMedian(std::move(ratios)), 3)};
-    const PrintedNumber expected{printedNumber(2 * (1 + poisson), 3)};
+    const PrintedNumber ratio = printed(upperMedian(std::move(ratios)), 3);
+    const PrintedNumber expected = printed(2 * (1 + poisson), 3);
     return isShear ? message(
                          "the table also has moduli of tension, {} times those of shear in the "
                          "median ({} with this Poisson's ratio); those of shear are read, and "
@@ -212,7 +210,7 @@ std::optional<Message> lossFactorNote(const TextBlock& block, const ModulusColum
   return message(
       "{} contradicts the moduli: in the median it is {} times the ratio of {} and {}; the moduli "
       "are read",
-      Message::name(block.label(tangent)), PrintedNumber{printedNumber(*ratio, 3)},
+      Message::name(block.label(tangent)), printed(*ratio, 3),
       Message::name(block.label(moduli.second)), Message::name(block.label(moduli.first)));
 }
 
@@ -239,7 +237,7 @@ std::optional<Message> otherPartNote(const TextBlock& block, const ModulusColumn
       "the other modulus follows from {} and {}, which differ little: 1 % of error in one of them "
       "makes {} % in it, in the median",
       Message::name(block.label(moduli.first)), Message::name(block.label(moduli.second)),
-      PrintedNumber{printedNumber(factor, 2)});
+      printed(factor, 2));
 }
 
 /// Returns the storage modulus of a loss modulus; infinite, which is refused, where nothing is
@@ -331,9 +329,7 @@ ModulusColumns findModulusColumns(const DmaBlock& in, const SweepColumns& column
   using enum DmaQuantity;
   const MeasuredPair& measured = *measuredPair(columns);
   const bool areBothModuli = isModulus(measured.second);
-  const auto formOf = [&](std::size_t column) {
-    return dmaColumn(in.block.columns[column].name, in.block.columns[column].unit).form;
-  };
+  const auto formOf = [&](std::size_t column) { return dmaColumn(in.block.columns[column]).form; };
   ModulusColumns found;
   found.first = columns[measured.first];
   found.second = columns[measured.second];

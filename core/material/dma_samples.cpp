@@ -85,12 +85,11 @@ void refuseDifferentSamples(const std::vector<MeasuredModulus>& rows,
   if (ratio <= kSameSample) return;
   const RowOrigin &first = origins[repeats.front().first],
                   &second = origins[repeats.front().second];
-  const PrintedNumber factor{printedNumber(ratio, 3)};
+  const PrintedNumber factor = printed(ratio, 3);
   std::string unused;
   for (std::size_t i = 0; i < first.block->columns.size(); ++i) {
     const TextColumn& column = first.block->columns[i];
-    if (!column.isText && dmaColumn(column.name, column.unit).quantity != DmaQuantity::None)
-      continue;
+    if (!column.isText && dmaColumn(column).quantity != DmaQuantity::None) continue;
     appendItem(unused, shortened(first.block->label(i)));
     if (distinguishes(i, origins, repeats))
       throw InputError(

@@ -123,7 +123,7 @@ std::vector<double> withoutRepeats(std::vector<double> values) {
 std::vector<double> temperaturesIn(const TextEntry& entry) {
   std::vector<double> all = findTemperatures(entry.key + " " + entry.value);
   const TextColumn key = parseColumnName(entry.key);
-  if (!all.empty() || dmaColumn(key.name, key.unit).quantity != Temperature) return all;
+  if (!all.empty() || dmaColumn(key).quantity != Temperature) return all;
   std::string numbers = entry.value;
   std::ranges::replace(numbers, ',', '.');
   for (const std::string_view word : WordList(numbers)) {
@@ -336,7 +336,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
                                      const DmaChoices& choices, std::string& leftOut) {
   std::vector<DmaColumn> found;
   for (const TextColumn& column : block.columns)
-    found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
+    found.push_back(column.isText ? DmaColumn{} : dmaColumn(column));
   chooseForm(found);
   const ModulusKind kind = kindToRead(found, choices);
   for (DmaColumn& column : found)

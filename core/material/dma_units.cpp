@@ -39,7 +39,7 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
   fact.unit = choice.empty() ? in.block.columns[column].unit : choice;
   // The brackets of "G' [20 °C]" contain a temperature and no unit.
   const TextColumn& written = in.block.columns[column];
-  if (choice.empty() && dmaColumn(written.name, written.unit).isUnitOfState) fact.unit.clear();
+  if (choice.empty() && dmaColumn(written).isUnitOfState) fact.unit.clear();
   if (fact.unit.empty()) fact.unit = unknownUnitIn(written.name);
   fact.isUnitAssumed = fact.unit.empty();
   return fact;
@@ -129,8 +129,7 @@ std::string allowedUnits(MeasuredForm form) {
 
 SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
   SizedColumn found{columnFact(in, column, in.choices.frequencyUnit)};
-  const TextColumn& written = in.block.columns[column];
-  const bool isAngular = dmaColumn(written.name, written.unit).isAngular;
+  const bool isAngular = dmaColumn(in.block.columns[column]).isAngular;
   const auto size = frequencyUnit(found.fact.unit, isAngular);
   if (!size) refuseUnit(in, found.fact, "rad/s, " + unitNames("Hz"), "--frequency-unit");
   refuseUnitElsewhere(in, found.fact, "--frequency-unit", [&](const std::string& word) {
@@ -142,8 +141,7 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 }
 
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
-  const TextColumn& written = in.block.columns[column];
-  const MeasuredForm form = dmaColumn(written.name, written.unit).form;
+  const MeasuredForm form = dmaColumn(in.block.columns[column]).form;
   const std::string& chosen = in.choices.modulusUnit;
   SizedColumn found{columnFact(in, column, chosen.empty() ? chosen : unitInForm(form, chosen))};
   refuseUnitElsewhere(in, found.fact, "--modulus-unit", namesOtherModulus);

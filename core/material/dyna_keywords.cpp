@@ -1,7 +1,6 @@
 // Keywords of LS-DYNA (LS-DYNA Keyword User's Manual, Volume II): *MAT_GENERAL_VISCOELASTIC
 // (*MAT_076), G(t) = sum G_i exp(-beta_i t), and *MAT_VISCOELASTIC (*MAT_006), G(t) = G_inf + (G_0
 // - G_inf) exp(-beta t). Such a file states no units; the density of a rubber tells them.
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 

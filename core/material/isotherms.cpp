@@ -1,7 +1,5 @@
 #include "core/material/isotherms.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,12 +22,12 @@ void checkModulus(const DynamicModulus& modulus) {
     throw InputError("", "frequency",
                      message("{} Hz is outside {} to {} Hz", plain(modulus.frequency),
                              plain(kLowest), plain(kHighest)));
-  const auto printed = [](double value) { return PrintedNumber{printedQuantity(value, "Pa", 3)}; };
   for (const double pascals : {modulus.storage, modulus.loss})
     if (!(pascals >= kMinModulus && pascals <= kMaxModulus))
-      throw InputError("", "modulus",
-                       message("{} is outside {} to {}; --modulus-unit says what the file means",
-                               printed(pascals), printed(kMinModulus), printed(kMaxModulus)));
+      throw InputError(
+          "", "modulus",
+          message("{} is outside {} to {}; --modulus-unit says what the file means",
+                  printed(pascals, "Pa"), printed(kMinModulus, "Pa"), printed(kMaxModulus, "Pa")));
 }
 
 /// Makes one sweep: it is sorted by frequency, and equal frequencies become their geometric mean.
@@ -195,10 +193,9 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
     };
     const auto nearest = std::ranges::min_element(groups, {}, distance);
     if (distance(*nearest) > std::log(kLikeStrain))
-      throw InputError(
-          "", "--strain",
-          message("{} % was not measured; there is {}",
-                  PrintedNumber{printedNumber(100 * *chosen, 3)}, listAmplitudes(groups)));
+      throw InputError("", "--strain",
+                       message("{} % was not measured; there is {}", printed(100 * *chosen, 3),
+                               listAmplitudes(groups)));
     const auto wanted = static_cast<std::size_t>(nearest - groups.begin());
     std::erase_if(rows, [&](const MeasuredModulus& row) {
       return !std::isfinite(row.strainAmplitude) ||

@@ -5,7 +5,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
-#include "core/base/text.h"
 
 namespace asperity {
 namespace {

@@ -210,7 +210,7 @@ std::vector<Message> describeStrays(const Material& material,
     lines.push_back(change > 0
                         ? message("{}; without it a shift changes by {} decades: correct its row, "
                                   "or take it out",
-                                  point, PrintedNumber{printedNumber(change, 2)})
+                                  point, printed(change, 2))
                         : message("{}: correct its row, or take it out", point));
   }
   return lines;

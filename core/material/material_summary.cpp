@@ -11,18 +11,6 @@
 namespace asperity {
 namespace {
 
-PrintedNumber siQuantity(double value, const char* unit) {
-  return PrintedNumber{printedQuantity(value, unit)};
-}
-
-PrintedNumber twoDigits(double value) {
-  return PrintedNumber{printedNumber(value, 2)};
-}
-
-PrintedNumber asPercent(double part) {
-  return twoDigits(100 * part);
-}
-
 /// Such a material fixes the temperature of the scene.
 void addOneTemperature(const Material& material, std::vector<Message>& lines) {
   if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
@@ -42,7 +30,7 @@ void addSeries(const Material& material, std::vector<Message>& lines) {
   const PronySeries& series = material.series;
   lines.push_back(
       message("{}: {}, G\u221E = {}, at {}", material.format, describeArms(series.arms.size()),
-              siQuantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
+              printed(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
   lines.push_back(
       "which frequencies were measured is not known: friction on it is not marked as "
       "extrapolated");
@@ -62,7 +50,7 @@ void addRepeats(const std::vector<Isotherm>& isotherms, std::vector<Message>& li
     lines.push_back(
         message("repeated at the same temperature and frequency: {} rows, averaged; "
                 "moduli that became one differ by a factor of up to {}",
-                repeats, PrintedNumber{printedNumber(ratio, 3)}));
+                repeats, printed(ratio, 3)));
 }
 
 /// Adds what was measured, and what of it was read.
@@ -72,12 +60,11 @@ void addMeasurement(const Material& material, std::vector<Message>& lines) {
   lines.push_back(
       curve.shifts.size() == 1
           ? message("measured: one isotherm at {}, {} to {}", celsius(coldest.temperature),
-                    siQuantity(curve.lowestFrequency(), "Hz"),
-                    siQuantity(curve.highestFrequency(), "Hz"))
+                    printed(curve.lowestFrequency(), "Hz"), printed(curve.highestFrequency(), "Hz"))
           : message("measured: {} isotherms from {} to {}; at {} they cover {} to {}",
                     curve.shifts.size(), celsius(coldest.temperature), celsius(warmest.temperature),
-                    celsius(curve.referenceTemperature), siQuantity(curve.lowestFrequency(), "Hz"),
-                    siQuantity(curve.highestFrequency(), "Hz")));
+                    celsius(curve.referenceTemperature), printed(curve.lowestFrequency(), "Hz"),
+                    printed(curve.highestFrequency(), "Hz")));
   if (material.facts.sweeps > 0) {
     const std::vector<Message> facts = factsOf(material.facts);
     lines.insert(lines.end(), facts.begin(), facts.end());
@@ -100,13 +87,13 @@ void addResiduals(const Material& material, std::vector<Message>& lines) {
   if (!curve.overlaps.empty()) {
     const auto [best, worst] = std::ranges::minmax(curve.overlaps, {}, &Overlap::mismatch);
     lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",
-                            twoDigits(best.mismatch), twoDigits(worst.mismatch)));
+                            printed(best.mismatch, 2), printed(worst.mismatch, 2)));
   }
   lines.push_back(message(
       "Prony series: {} from {} relaxation times, G\u221E = {}; "
       "rms residual {} % of G\u2032, {} % of G\u2033",
-      describeArms(series.arms.size()), series.terms, siQuantity(series.equilibriumModulus, "Pa"),
-      asPercent(series.rmsStorage), asPercent(series.rmsLoss)));
+      describeArms(series.arms.size()), series.terms, printed(series.equilibriumModulus, "Pa"),
+      printedPercent(series.rmsStorage, 2), printedPercent(series.rmsLoss, 2)));
   // A rubber that still relaxes at the lowest frequency has an equilibrium modulus by
   // extrapolation.
   constexpr double kReached = 1.4;
@@ -116,16 +103,15 @@ void addResiduals(const Material& material, std::vector<Message>& lines) {
     lines.push_back(
         message("equilibrium was not measured: at the lowest frequency, {}, the storage modulus is "
                 "{} times G\u221E",
-                siQuantity(lowest, "Hz"), twoDigits(slowest / series.equilibriumModulus)));
+                printed(lowest, "Hz"), printed(slowest / series.equilibriumModulus, 2)));
   if (material.wlf.isDefined)
     lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",
-                            PrintedNumber{printedNumber(material.wlf.shift.c1)},
-                            PrintedNumber{printedNumber(material.wlf.shift.c2)},
-                            twoDigits(material.wlf.rms)));
+                            printed(material.wlf.shift.c1), printed(material.wlf.shift.c2),
+                            printed(material.wlf.rms, 2)));
   if (material.arrhenius.isDefined)
     lines.push_back(message("Arrhenius: {}, {} decades rms",
-                            siQuantity(material.arrhenius.shift.activationEnergy, "J/mol"),
-                            twoDigits(material.arrhenius.rms)));
+                            printed(material.arrhenius.shift.activationEnergy, "J/mol"),
+                            printed(material.arrhenius.rms, 2)));
   addOneTemperature(material, lines);
   if (curve.shifts.size() > 1 || material.wlf.isDefined)
     lines.push_back(material.shift.kind == ShiftKind::Table
@@ -150,7 +136,9 @@ void addSimplicity(const Material& material, std::vector<Message>& lines) {
         "in {} of {} overlaps the moduli do not tell a vertical shift from a horizontal one, as "
         "power laws of one exponent do not: there the shifts hold for b_T = 1",
         open, curve.overlaps.size()));
-  const auto ofModulus = [](double decades) { return asPercent(std::pow(10, decades) - 1); };
+  const auto ofModulus = [](double decades) {
+    return printedPercent(std::pow(10, decades) - 1, 2);
+  };
   const VerticalEvidence& vertical = curve.vertical;
   if (material.isExplainedByVertical)
     lines.push_back(
@@ -159,13 +147,13 @@ void addSimplicity(const Material& material, std::vector<Message>& lines) {
                 "(rms); without them "
                 "shifts are uncertain by up to {} decades: --vertical-shifts",
                 ofModulus(vertical.largestShift), ofModulus(vertical.residual),
-                ofModulus(vertical.residualWith), twoDigits(vertical.largestChange)));
+                ofModulus(vertical.residualWith), printed(vertical.largestChange, 2)));
   else if (!curve.isThermorheologicallySimple && curve.largestStep > 0)
     lines.push_back(
         message("not thermorheologically simple: shifts from G\u2032 alone and from G\u2033 alone "
                 "differ by up to {} decades between neighbours, {} in all; predictions at other "
                 "temperatures are approximate",
-                twoDigits(curve.largestStep), twoDigits(curve.largestDifference)));
+                printed(curve.largestStep, 2), printed(curve.largestDifference, 2)));
   else if (!curve.isThermorheologicallySimple)
     lines.push_back(message(
         "not thermorheologically simple: beyond their noise, neighbours differ by {} % (rms) where "

@@ -1,3 +1,4 @@
+#include "core/material/prony_table.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
-#include "core/material/prony_table.h"
 
 namespace asperity {
 namespace {
@@ -72,7 +72,7 @@ void liftConstants(TextBlock& block) {
     const TextColumn& column = block.columns[i];
     const std::string word = seriesWord(column.name);
     const bool isOfAll = block.rows == 1 || isEquilibrium(word) || isInstantaneous(word) ||
-                         dmaColumn(column.name, column.unit).quantity == DmaQuantity::Temperature;
+                         dmaColumn(column).quantity == DmaQuantity::Temperature;
     if (column.isText || !isOfAll) continue;
     std::vector<double> numbers = block.column(i);
     std::erase_if(numbers, [](double number) { return !std::isfinite(number); });
@@ -155,7 +155,7 @@ std::optional<SeriesColumns> seriesColumns(const TextBlock& block, const std::st
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     const TextColumn& column = block.columns[i];
     const std::string word = seriesWord(column.name);
-    if (dmaColumn(column.name, column.unit).quantity == DmaQuantity::Frequency || word == "fi") {
+    if (dmaColumn(column).quantity == DmaQuantity::Frequency || word == "fi") {
       frequency = i;
       continue;
     }
@@ -360,7 +360,7 @@ void noteViscosities(const TextBlock& block, std::size_t viscosity, const PronyC
     series.notes.push_back(message(
         "{} contradicts the moduli and relaxation times, which are read: in the median it is {} "
         "times their product",
-        Message::name(block.label(viscosity)), PrintedNumber{printedNumber(*ratio, 3)}));
+        Message::name(block.label(viscosity)), printed(*ratio, 3)));
 }
 
 /// Reads the arms of a table into the series, and the row of the equilibrium modulus.

@@ -106,8 +106,7 @@ double equilibriumModulus(const RawSeries& series, double unit, const EndModuli&
     notes.push_back(
         message("the moduli contradict each other: the arms leave {} MPa of the instantaneous "
                 "modulus, and an equilibrium modulus of {} MPa is stated, which is taken",
-                PrintedNumber{printedNumber(left / 1e6, 4)},
-                PrintedNumber{printedNumber(equilibrium / 1e6, 4)}));
+                printed(left / 1e6, 4), printed(equilibrium / 1e6, 4)));
   return equilibrium;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "core/base/input_error.h"
 #include "core/base/linear_algebra.h"
@@ -220,8 +219,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
     throw InputError("", "--equilibrium-modulus",
                      message("{} is above the lowest storage modulus of shear, {}; allowed is a "
                              "modulus below it",
-                             PrintedNumber{printedQuantity(known, "Pa")},
-                             PrintedNumber{printedQuantity(smallest, "Pa")}));
+                             printed(known, "Pa"), printed(smallest, "Pa")));
   PronySeries series = options.terms > 0 ? fitWith(points, options.terms, known)
                                          : fitWithFewest(points, known, options.stop);
   if (!options.isLiquid && !(series.equilibriumModulus > kNothing * smallest))
@@ -239,8 +237,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
                 "from 0: a liquid fits as well, which cannot carry a load for ever; measure at "
                 "lower frequencies or higher temperatures, give --equilibrium-modulus, or allow "
                 "it with --liquid",
-                PrintedNumber{printedQuantity(series.equilibriumModulus, "Pa", 3)},
-                PrintedNumber{printedQuantity(smallest, "Pa", 3)}));
+                printed(series.equilibriumModulus, "Pa", 3), printed(smallest, "Pa", 3)));
   return series;
 }
 

@@ -17,6 +17,28 @@
 namespace asperity {
 namespace {
 
+/// Returns the plain name of a column of moduli without the words around its letter: "g" for
+/// "Schubmodul G", "ei" for "Young's modulus E_i". A name of such words alone stays.
+std::string modulusLetter(std::string_view name) {
+  const std::string whole = seriesWord(name);
+  std::string word = whole;
+  for (const std::string_view part :
+       WordList("young's youngs young shear tensile relaxations relaxation schub zug elastizitaets "
+                "moduli modulus modul of"))
+    replaceAll(word, part, "");
+  return word.empty() ? whole : word;
+}
+
+/// Returns the kind of modulus that a plain word names: "e0", "einf", "gi", "youngsmodulus".
+ModulusKind kindOfModulus(std::string_view word) {
+  if (containsOneOf(word, "young tensile") || word.starts_with("zug")) return ModulusKind::Tension;
+  if (containsOneOf(word, "shear schub")) return ModulusKind::Shear;
+  if (word.starts_with("e") && !word.starts_with("equilibrium")) return ModulusKind::Tension;
+  if (word.starts_with("g") && !beginsWithOneOf(word, "glassy gleichgewicht"))
+    return ModulusKind::Shear;
+  return ModulusKind::Unknown;
+}
+
 /// A modulus that the lines above a table state.
 struct StatedModulus {
   double number = 0;
@@ -305,25 +327,6 @@ PartsOf partsByName(std::string_view word) {
               "gi/ginf ei/einf g/ginf e/einf gk/ginf ek/einf gi/ge ei/ee g/ge e/ee gi/geq ei/eeq"))
     return PartsOf::Equilibrium;
   return PartsOf::Unknown;
-}
-
-std::string modulusLetter(std::string_view name) {
-  const std::string whole = seriesWord(name);
-  std::string word = whole;
-  for (const std::string_view part :
-       WordList("young's youngs young shear tensile relaxations relaxation schub zug elastizitaets "
-                "moduli modulus modul of"))
-    replaceAll(word, part, "");
-  return word.empty() ? whole : word;
-}
-
-ModulusKind kindOfModulus(std::string_view word) {
-  if (containsOneOf(word, "young tensile") || word.starts_with("zug")) return ModulusKind::Tension;
-  if (containsOneOf(word, "shear schub")) return ModulusKind::Shear;
-  if (word.starts_with("e") && !word.starts_with("equilibrium")) return ModulusKind::Tension;
-  if (word.starts_with("g") && !beginsWithOneOf(word, "glassy gleichgewicht"))
-    return ModulusKind::Shear;
-  return ModulusKind::Unknown;
 }
 
 }  // namespace asperity

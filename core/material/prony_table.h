@@ -49,13 +49,6 @@ bool hasArmIndex(std::string_view word);
 enum class PartsOf { Unknown, Instantaneous, Equilibrium };
 PartsOf partsByName(std::string_view word);
 
-/// Returns the plain name of a column of moduli without the words around its letter: "g" for
-/// "Schubmodul G", "ei" for "Young's modulus E_i". A name of such words alone stays.
-std::string modulusLetter(std::string_view name);
-
-/// Returns the kind of modulus that a plain word names: "e0", "einf", "gi", "youngsmodulus".
-ModulusKind kindOfModulus(std::string_view word);
-
 // ---- Rows (prony_arms.cpp) ----------------------------------------------------------------------
 
 /// What the rows of a table hold. Weights are in the unit of the series.

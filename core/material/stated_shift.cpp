@@ -30,7 +30,7 @@ std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
   std::optional<std::size_t> temperature, factor;
   ShiftColumns found;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const DmaQuantity quantity = dmaColumn(block.columns[i].name, block.columns[i].unit).quantity;
+    const DmaQuantity quantity = dmaColumn(block.columns[i]).quantity;
     if (quantity == DmaQuantity::Frequency || quantity == DmaQuantity::Storage) return {};
     if (quantity == DmaQuantity::Temperature && !temperature) temperature = i;
     const auto notation = shiftNotation(block.columns[i].name);
@@ -203,8 +203,7 @@ void readWlf(const ShiftConstants& constants, double temperature, const std::str
   stated.notes.push_back(
       message("shift of the file: Williams, Landel and Ferry with C1 = {}, C2 = "
               "{} K at {}",
-              PrintedNumber{printedNumber(shift.c1)}, PrintedNumber{printedNumber(shift.c2)},
-              celsius(temperature)));
+              printed(shift.c1), printed(shift.c2), celsius(temperature)));
 }
 
 /// The activation energy is the same from every reference temperature.
@@ -220,8 +219,7 @@ void readArrhenius(double energy, double temperature, const std::string& name,
   shift.activationEnergy = energy;
   stated.shift = shift;
   stated.notes.push_back(message("shift of the file: Arrhenius with {} at {}",
-                                 PrintedNumber{printedQuantity(energy, "J/mol")},
-                                 celsius(temperature)));
+                                 printed(energy, "J/mol"), celsius(temperature)));
 }
 
 }  // namespace

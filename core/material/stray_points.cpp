@@ -173,13 +173,10 @@ Isotherm withoutStrays(const Isotherm& isotherm, std::size_t index,
 
 Message describe(const StrayPoint& stray, std::span<const Isotherm> isotherms) {
   const Isotherm& isotherm = isotherms[stray.isotherm];
-  const auto quantity = [](double value, const char* unit) {
-    return PrintedNumber{printedQuantity(value, unit, 3)};
-  };
   return message("{} at {} and {} is {}, where the points beside it suggest {}",
                  stray.isLoss ? "G\u2033" : "G\u2032", celsius(isotherm.temperature),
-                 quantity(isotherm.points[stray.point].frequency, "Hz"),
-                 quantity(stray.value(isotherms), "Pa"), quantity(stray.suggested, "Pa"));
+                 printed(isotherm.points[stray.point].frequency, "Hz"),
+                 printed(stray.value(isotherms), "Pa"), printed(stray.suggested, "Pa"));
 }
 
 }  // namespace asperity

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"

@@ -2,7 +2,6 @@
 // of typed values, little-endian (Gwyddion user guide, "Gwyddion Native File (.gwy)"). A channel is
 // the GwyDataField "/N/data" of the outermost container.
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>

@@ -3,7 +3,6 @@
 // The first index counts the rows. The file states neither units nor how far its points are apart.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <string>
 
 #include "core/base/number_text.h"

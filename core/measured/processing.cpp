@@ -93,6 +93,16 @@ std::int64_t gapCount(std::span<const double> heights) {
   return std::ranges::count_if(heights, [](double height) { return std::isnan(height); });
 }
 
+double meanHeight(std::span<const double> heights) {
+  double sum = 0, count = 0;
+  for (const double height : heights)
+    if (!std::isnan(height)) {
+      sum += height;
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
 std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemoval form) {
   constexpr int kRounds = 20;
   if (!(multiples > 0)) return 0;

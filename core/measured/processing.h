@@ -15,6 +15,9 @@ namespace asperity {
 
 std::int64_t gapCount(std::span<const double> heights);
 
+/// Returns the mean of the heights that were measured; 0 where there are none.
+double meanHeight(std::span<const double> heights);
+
 /// Marks outliers as gaps and returns their number. An outlier is farther from the form, which is
 /// fitted to all other heights, than `multiples` times the median deviation of the others from it.
 /// The function marks nothing where more than half of all heights lie on the form exactly.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/intervals.h"
+#include "core/measured/processing.h"
 
 namespace asperity {
 namespace {
@@ -55,14 +56,9 @@ ProfileParameters profileParameters(std::span<const double> heights, double spac
                                     double sectionLength) {
   ProfileParameters values;
   values.length = static_cast<double>(heights.size()) * spacing;
-  double sum = 0, count = 0;
-  for (const double height : heights)
-    if (!std::isnan(height)) {
-      sum += height;
-      ++count;
-    }
+  const double count = static_cast<double>(std::ssize(heights) - gapCount(heights));
   if (count == 0) return values;
-  const double mean = sum / count;
+  const double mean = meanHeight(heights);
   double absolute = 0, square = 0, cube = 0, fourth = 0;
   for (const double height : heights) {
     if (std::isnan(height)) continue;

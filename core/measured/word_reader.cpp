@@ -2,15 +2,9 @@
 
 #include <cmath>
 
-#include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
-
-std::string_view withoutByteOrderMark(std::string_view bytes) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return bytes.starts_with(kMark) ? bytes.substr(kMark.size()) : bytes;
-}
 
 std::string_view WordReader::nextLine() {
   line_ = ++ended_;
@@ -27,12 +21,6 @@ std::string_view WordReader::nextWord() {
   rest_.remove_prefix(word.size());
   line_ = ended_ + 1;
   return word;
-}
-
-std::vector<std::string_view> splitWords(std::string_view line) {
-  std::vector<std::string_view> words;
-  splitFields(line, TextDialect::Separator::Blanks, words);
-  return words;
 }
 
 std::optional<double> parseFiniteNumber(std::string_view word, char decimal) {

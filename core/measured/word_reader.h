@@ -8,12 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text_dialect.h"
+#include "core/base/text_encoding.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {
-
-/// Returns the bytes without the byte order mark of UTF-8 at their beginning.
-std::string_view withoutByteOrderMark(std::string_view bytes);
 
 /// Takes one line or word after another from a text, which must outlive the reader.
 class WordReader {
@@ -36,9 +35,6 @@ class WordReader {
   std::size_t ended_ = 0;  // lines
   std::size_t line_ = 0;
 };
-
-/// Returns the words of a line.
-std::vector<std::string_view> splitWords(std::string_view line);
 
 /// Returns the word as a number; nothing where it is no finite number.
 std::optional<double> parseFiniteNumber(std::string_view word, char decimal = '.');

@@ -25,8 +25,7 @@ constexpr std::string_view kMagic = "Wyko ASCII Data File Format";
 constexpr std::array kHeights{"RAW_DATA"sv, "RAW DATA"sv, "OPD"sv, "SAMPLE_DATA"sv};
 
 std::vector<std::string_view> splitAtTabs(std::string_view line) {
-  std::vector<std::string_view> fields;
-  splitFields(line, TextDialect::Separator::Tab, fields);
+  std::vector<std::string_view> fields = splitFields(line, TextDialect::Separator::Tab);
   for (std::string_view& field : fields) field = trimmedField(field);
   return fields;
 }

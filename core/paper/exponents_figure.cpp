@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/law.h"
 #include "core/paper/figure_parts.h"
@@ -35,14 +36,10 @@ Coefficients fitCoefficients(const GroupedMeans& means) {
 /// than three groups.
 double correlation(const Coefficients& a, const Coefficients& b) {
   if (a.without.size() < 3) return kNotApplicable;
-  const auto n = static_cast<double>(a.without.size());
-  double sumA = 0, sumB = 0, aa = 0, bb = 0, ab = 0;
+  const double meanA = mean(a.without), meanB = mean(b.without);
+  double aa = 0, bb = 0, ab = 0;
   for (std::size_t k = 0; k < a.without.size(); ++k) {
-    sumA += a.without[k];
-    sumB += b.without[k];
-  }
-  for (std::size_t k = 0; k < a.without.size(); ++k) {
-    const double x = a.without[k] - sumA / n, y = b.without[k] - sumB / n;
+    const double x = a.without[k] - meanA, y = b.without[k] - meanB;
     aa += x * x;
     bb += y * y;
     ab += x * y;
@@ -62,9 +59,21 @@ Message correlationNote(const std::vector<Coefficients>& all) {
       mean);
 }
 
-DiagramPoint estimatePoint(double x, const Estimate& estimate) {
-  return {x, estimate.value, estimate.value - estimate.standardError,
-          estimate.value + estimate.standardError};
+/// Makes the series of one estimate of all Hurst exponents.
+DiagramSeries estimateSeries(const char* name, SeriesMark mark,
+                             const std::vector<Coefficients>& all, Estimate Coefficients::*of) {
+  DiagramSeries series{name, mark, SeriesStroke::None};
+  for (const Coefficients& one : all)
+    series.points.push_back(pointWithError(one.hurst, (one.*of).value, (one.*of).standardError));
+  return series;
+}
+
+/// Makes the series of a formula of the Hurst exponent.
+DiagramSeries formulaSeries(const char* name, double (*formula)(double hurst)) {
+  DiagramSeries series{name};
+  series.isTheory = true;
+  for (int k = 0; k <= 50; ++k) series.points.push_back({k / 50.0, formula(k / 50.0)});
+  return series;
 }
 
 Diagram emptyDiagram(const char* title, const char* name) {
@@ -77,20 +86,13 @@ Diagram emptyDiagram(const char* title, const char* name) {
 Diagram alphaDiagram(const std::vector<Coefficients>& all) {
   Diagram diagram = emptyDiagram("exponent", "\u03B1");
   diagram.y.to = 0.6;
-  DiagramSeries theory{"\u03B1 = H/(1 + H), Eq. (7)"};
-  theory.isTheory = true;
-  for (int k = 0; k <= 50; ++k) theory.points.push_back({k / 50.0, forceExponent(k / 50.0)});
-  DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1", SeriesMark::Circle,
-                         SeriesStroke::None};
+  DiagramSeries measured = estimateSeries("measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1",
+                                          SeriesMark::Circle, all, &Coefficients::alpha);
   measured.colour = 0;
-  for (const Coefficients& one : all)
-    measured.points.push_back(estimatePoint(one.hurst, one.alpha));
-  DiagramSeries wide{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Diamond,
-                     SeriesStroke::None};
+  DiagramSeries wide = estimateSeries("measured, 0.001 \u2264 F\u2099/GhL \u2264 1",
+                                      SeriesMark::Diamond, all, &Coefficients::wideAlpha);
   wide.colour = 1;
-  for (const Coefficients& one : all)
-    wide.points.push_back(estimatePoint(one.hurst, one.wideAlpha));
-  diagram.series = {theory, wide, measured};
+  diagram.series = {formulaSeries("\u03B1 = H/(1 + H), Eq. (7)", forceExponent), wide, measured};
   return diagram;
 }
 
@@ -101,14 +103,9 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
   one.isTheory = true;
   one.stroke = SeriesStroke::Dashed;
   one.points = {{0, 1}, {1, 1}};
-  DiagramSeries table{"table used by Eq. (11) here"};
-  table.isTheory = true;
-  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, lawPrefactor(k / 50.0)});
-  DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Circle,
-                         SeriesStroke::None};
-  for (const Coefficients& here : all)
-    measured.points.push_back(estimatePoint(here.hurst, here.beta));
-  diagram.series = {one, table, measured};
+  diagram.series = {one, formulaSeries("table used by Eq. (11) here", lawPrefactor),
+                    estimateSeries("measured, 0.001 \u2264 F\u2099/GhL \u2264 1",
+                                   SeriesMark::Circle, all, &Coefficients::beta)};
   return diagram;
 }
 

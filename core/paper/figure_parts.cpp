@@ -211,9 +211,9 @@ DiagramSeries frictionSeries(const GroupedMeans& means, std::size_t j, Message n
   DiagramSeries series;
   series.name = std::move(name);
   for (std::size_t i = 0; i < means.velocities(j).size(); ++i) {
-    const double value = means.normalizedMu(j, i);
     const double error = means.muStandardError(j, i) / means.line().rmsSlope;
-    series.points.push_back({means.velocities(j)[i], value, value - error, value + error});
+    series.points.push_back(
+        pointWithError(means.velocities(j)[i], means.normalizedMu(j, i), error));
   }
   return series;
 }
@@ -245,18 +245,14 @@ Message parameterLine(const Scene& scene, const FigureEntry& entry) {
   std::vector<Message> parts;
   if (!isVaried("surface.hurst")) parts.push_back(message("H = {:g}", scene.surface.hurst));
   if (!isVaried("load.normal_force"))
-    parts.push_back(
-        message("F\u2099 = {}", PrintedNumber{printedQuantity(scene.load.normalForce, "N")}));
-  parts.push_back(
-      message("G = {}", PrintedNumber{printedQuantity(scene.elastomer.shearModulus, "Pa")}));
+    parts.push_back(message("F\u2099 = {}", printed(scene.load.normalForce, "N")));
+  parts.push_back(message("G = {}", printed(scene.elastomer.shearModulus, "Pa")));
   if (!isVaried("surface.rms_height"))
-    parts.push_back(
-        message("h = {}", PrintedNumber{printedQuantity(scene.surface.rmsHeight, "m")}));
+    parts.push_back(message("h = {}", printed(scene.surface.rmsHeight, "m")));
   if (!isVaried("elastomer.relaxation_time"))
-    parts.push_back(message("\u03C4 = {}",
-                            PrintedNumber{printedQuantity(scene.elastomer.relaxationTime, "s")}));
+    parts.push_back(message("\u03C4 = {}", printed(scene.elastomer.relaxationTime, "s")));
   if (!isVaried("surface.length"))
-    parts.push_back(message("L = {}", PrintedNumber{printedQuantity(scene.surface.length, "m")}));
+    parts.push_back(message("L = {}", printed(scene.surface.length, "m")));
   if (!isVaried("surface.elements")) parts.push_back(message("N = {}", scene.surface.elements));
   if (entry.name != FigureName::Contact)
     parts.push_back(message("{} realizations", scene.ensemble.realizations));

@@ -26,9 +26,8 @@ Diagram forcesDiagram(const GroupedMeans& means) {
     for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
     diagram.series.push_back(std::move(series));
   }
-  diagram.ramp =
-      DiagramRamp{"normal force", PrintedNumber{printedQuantity(means.normalForce(0), "N")},
-                  PrintedNumber{printedQuantity(means.normalForce(last), "N")}};
+  diagram.ramp = DiagramRamp{"normal force", printed(means.normalForce(0), "N"),
+                             printed(means.normalForce(last), "N")};
   // The axis leaves out curves below the data of the lowest velocities.
   diagram.y.from = means.normalizedMu(last / 2, 0);
   diagram.y.to = 3;

@@ -35,22 +35,19 @@ std::vector<Variant> makeVariants(const Scene& base) {
     variants.push_back(std::move(variant));
   };
   for (const double factor : {0.1, 10.0, 100.0})
-    add(message("F\u2099 = {}",
-                PrintedNumber{printedQuantity(factor * base.load.normalForce, "N")}),
-        1, [&](Scene& scene) { scene.load.normalForce *= factor; });
+    add(message("F\u2099 = {}", printed(factor * base.load.normalForce, "N")), 1,
+        [&](Scene& scene) { scene.load.normalForce *= factor; });
   for (const double factor : {0.25, 4.0})
-    add(message("L = {}", PrintedNumber{printedQuantity(factor * base.surface.length, "m")}), 2,
-        [&](Scene& scene) {
-          // The spacing does not change: the elastomer is only longer.
-          scene.surface.length *= factor;
-          scene.surface.elements = scaledElements(scene, factor);
-        });
+    add(message("L = {}", printed(factor * base.surface.length, "m")), 2, [&](Scene& scene) {
+      // The spacing does not change: the elastomer is only longer.
+      scene.surface.length *= factor;
+      scene.surface.elements = scaledElements(scene, factor);
+    });
   for (const double factor : {0.1, 10.0})
-    add(message("\u03C4 = {}",
-                PrintedNumber{printedQuantity(factor * base.elastomer.relaxationTime, "s")}),
-        3, [&](Scene& scene) { scene.elastomer.relaxationTime *= factor; });
+    add(message("\u03C4 = {}", printed(factor * base.elastomer.relaxationTime, "s")), 3,
+        [&](Scene& scene) { scene.elastomer.relaxationTime *= factor; });
   for (const double factor : {0.2, 5.0})
-    add(message("h = {}", PrintedNumber{printedQuantity(factor * base.surface.rmsHeight, "m")}), 4,
+    add(message("h = {}", printed(factor * base.surface.rmsHeight, "m")), 4,
         [&](Scene& scene) { scene.surface.rmsHeight *= factor; });
   return variants;
 }

@@ -56,7 +56,7 @@ Diagram plateauDiagram(const std::vector<Tops>& all) {
     series.colour = static_cast<int>(k);
     for (std::size_t j = 0; j < all[k].tops.size(); ++j) {
       const auto [value, error] = all[k].tops[j].normalizedMu;
-      series.points.push_back({all[k].means.normalForce(j), value, value - error, value + error});
+      series.points.push_back(pointWithError(all[k].means.normalForce(j), value, error));
     }
     diagram.series.push_back(std::move(series));
   }

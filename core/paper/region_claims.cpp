@@ -129,7 +129,7 @@ std::vector<GroupedMeans> meansAtLengths(const GroupedMeans& means, FigureWork& 
 }
 
 PrintedNumber lengthText(const GroupedMeans& means) {
-  return {printedQuantity(means.scene().surface.length, "m")};
+  return printed(means.scene().surface.length, "m");
 }
 
 Claim borderClaim(const std::vector<GroupedMeans>& forces,

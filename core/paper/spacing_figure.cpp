@@ -77,8 +77,7 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
     figure.csv += tableRows(means, 0, fmt::format("{},{},", spacings[k], means.line().rmsSlope));
   }
   plain.ramp = normalized.ramp =
-      DiagramRamp{"spacing", PrintedNumber{printedQuantity(spacings.front(), "m")},
-                  PrintedNumber{printedQuantity(spacings.back(), "m")}};
+      DiagramRamp{"spacing", printed(spacings.front(), "m"), printed(spacings.back(), "m")};
   figure.sheet.diagrams = {std::move(plain), std::move(normalized)};
   figure.sheet.note =
       "The spacing sets the shortest wave of the line and with it the rms slope: it acts as a "

@@ -51,7 +51,7 @@ DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const char*
                        .stroke = SeriesStroke::Dotted};
   for (const ElementPoint& point : points) {
     const auto [value, error] = point.estimate();
-    series.points.push_back({point.velocity, value, value - error, value + error});
+    series.points.push_back(pointWithError(point.velocity, value, error));
   }
   return series;
 }

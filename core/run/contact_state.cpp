@@ -11,12 +11,8 @@
 namespace asperity {
 namespace {
 
-PrintedNumber printed(double value, std::string_view unit) {
-  return {printedQuantity(value, unit)};
-}
-
 PrintedNumber coefficient(double mu) {
-  return {printedNumber(mu, 3, Zeros::Keep)};
+  return printed(mu, 3, Zeros::Keep);
 }
 
 /// Returns the velocity at this moment, m/s; above 0 the line moves to the right.

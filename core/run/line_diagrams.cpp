@@ -261,15 +261,12 @@ DiagramSheet surfaceSheet(const Scene& scene, const Line& line) {
   constexpr int kDigits = 4;
   DiagramSheet sheet;
   sheet.title = scene.title.empty() ? Message("Rigid line") : Message(scene.title);
-  const auto printed = [](std::string number) { return PrintedNumber{std::move(number)}; };
   std::vector<Message> facts{
-      message("one period L = {}", printed(printedQuantity(line.length, "m", kDigits))),
-      message("rms height h = {}",
-              printed(printedQuantity(line.rmsHeight, "m", kDigits, Zeros::Keep))),
-      message("rms slope = {}", printed(printedNumber(line.rmsSlope, kDigits, Zeros::Keep)))};
+      message("one period L = {}", printed(line.length, "m", kDigits)),
+      message("rms height h = {}", printed(line.rmsHeight, "m", kDigits, Zeros::Keep)),
+      message("rms slope = {}", printed(line.rmsSlope, kDigits, Zeros::Keep))};
   if (scene.surface.kind == SurfaceKind::SelfAffine)
-    facts.push_back(
-        message("Hurst exponent H = {}", printed(printedNumber(scene.surface.hurst, kDigits))));
+    facts.push_back(message("Hurst exponent H = {}", printed(scene.surface.hurst, kDigits)));
   sheet.subtitle = listed(facts);
   if (line.nodes() == 0 || !(line.length > 0)) return sheet;
   sheet.diagrams = {heightDiagram(line)};

@@ -39,16 +39,6 @@ std::vector<DiagramPoint> profilePoints(std::span<const double> heights, double 
   return points;
 }
 
-double meanWithoutGaps(std::span<const double> heights) {
-  double sum = 0, count = 0;
-  for (const double height : heights)
-    if (!std::isnan(height)) {
-      sum += height;
-      ++count;
-    }
-  return count > 0 ? sum / count : 0;
-}
-
 DiagramSeries seriesNamed(const char* name, int colour, std::vector<DiagramPoint> points) {
   DiagramSeries series{.name = name, .colour = colour, .points = std::move(points)};
   return series;
@@ -61,7 +51,7 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   const ProcessedProfile& profile = summary.profile;
   DiagramSeries raw =
       seriesNamed("raw, about its mean", 1,
-                  profilePoints(profile.raw, profile.spacing, meanWithoutGaps(profile.raw)));
+                  profilePoints(profile.raw, profile.spacing, meanHeight(profile.raw)));
   raw.stroke = SeriesStroke::Dashed;
   DiagramSeries used = seriesNamed("used", 0, profilePoints(profile.used, profile.spacing, 0));
   Diagram frame{.x = {"position", "m", AxisScale::Linear, 0, summary.used.length},
@@ -132,7 +122,7 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
                         AxisScale::Linear, -kMax, kMax},
                   .y = {"share", "%", AxisScale::Linear}};
   std::vector<double> heights;
-  const double mean = meanWithoutGaps(summary.profile.used);
+  const double mean = meanHeight(summary.profile.used);
   if (!(summary.used.pq > 0)) {
     diagram.blank = "all heights are equal";
     return diagram;
@@ -157,8 +147,8 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
 DiagramSheet measuredSheet(const MeasuredSummary& summary, const std::string& title) {
   DiagramSheet sheet;
   sheet.title = title.empty() ? Message("Measured surface") : Message(title);
-  const auto metres = [](double value) { return PrintedNumber{printedQuantity(value, "m", 4)}; };
-  const auto number = [](double value) { return PrintedNumber{printedNumber(value, 4)}; };
+  const auto metres = [](double value) { return printed(value, "m", 4); };
+  const auto number = [](double value) { return printed(value, 4); };
   const Message rough = summary.isRoughness ? Message::name("Rq") : Message::name("Pq");
   const Message slope = summary.isRoughness ? Message::name("Rdq") : Message::name("Pdq");
   sheet.subtitle = listed(

@@ -289,9 +289,8 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
     throw InputError(
         "", "--every",
         message("{} time steps would give {} rows, more than {}; each {}th step gives fewer",
-                PrintedNumber{printedNumber(steps)}, PrintedNumber{printedNumber(rows)},
-                PrintedNumber{printedNumber(kMaxRows)},
-                PrintedNumber{printedNumber(std::ceil(lines * steps / kMaxRows))}));
+                printed(steps), printed(rows), printed(kMaxRows),
+                printed(std::ceil(lines * steps / kMaxRows))));
   table.spacing = first->line->spacing;
   table.length = first->line->length;
   table.hasInterface = hasLocalFriction(scene);
@@ -367,7 +366,7 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));
   if (std::isfinite(table.muError))
     notes.push_back(message("band: estimated error of elements and time steps, {} in \u03BC",
-                            PrintedNumber{printedNumber(table.muError, 2)}));
+                            printed(table.muError, 2)));
   const bool hasGuide = std::ranges::any_of(sheet.diagrams[1].series, &DiagramSeries::isTheory);
   if (hasGuide) notes.push_back(sheet.note);
   sheet.note = listed(notes);

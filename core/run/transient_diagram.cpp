@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/input_error.h"
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/law.h"
@@ -60,18 +61,10 @@ Diagram strip(const Scene& scene, std::vector<DiagramPoint> points, DiagramAxis 
                   .y = std::move(yAxis)};
   DiagramSeries series;
   series.colour = 0;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const DiagramPoint& point : points) {
-    if (!std::isfinite(point.y)) continue;
-    low = std::min(low, point.y);
-    high = std::max(high, point.y);
-  }
+  Extent shown;
+  for (const DiagramPoint& point : points) shown.add(point.y);
   series.points = std::move(points);
-  if (least > 0 && low <= high) {
-    const AxisEnds ends = axisEnds(low, high, least);
-    diagram.y.from = ends.from;
-    diagram.y.to = ends.to;
-  }
+  if (least > 0 && !shown.isEmpty()) axisEnds(shown.least, shown.most, least).setOn(diagram.y);
   diagram.series = {std::move(series)};
   return diagram;
 }
@@ -173,7 +166,7 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   if (guide.points.size() < 2) return sheet;
   sheet.status =
       message("dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113 = {} s\u207B\u00B9",
-              PrintedNumber{printedNumber(samples.back().predictedRate, 3)});
+              printed(samples.back().predictedRate, 3));
   sheet.diagrams[1].series.push_back(std::move(guide));
   return sheet;
 }
@@ -183,26 +176,20 @@ DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples,
   Diagram diagram{.x = {"velocity v", "m/s", AxisScale::Linear},
                   .y = {"\u03BC with its sign", "", AxisScale::Linear}};
   DiagramSeries loop{.colour = 0}, faded{.colour = 0, .isFaded = true};
-  double slowest = 0, fastest = 0, low = 0, high = 0;
+  Extent velocities{0, 0}, frictions{0, 0};  // both include 0, where friction changes its direction
   const auto add = [&](const TransientSample& sample, DiagramSeries& series) {
     const double friction =
         sample.normalForce > 0 ? sample.tangentialForce / sample.normalForce : kNotApplicable;
     series.points.push_back({sample.velocity, friction});
     if (!std::isfinite(friction)) return;
-    slowest = std::min(slowest, sample.velocity);
-    fastest = std::max(fastest, sample.velocity);
-    low = std::min(low, friction);
-    high = std::max(high, friction);
+    velocities.add(sample.velocity);
+    frictions.add(friction);
   };
   for (const TransientSample& sample : samples) add(sample, loop);
   if (!later.empty() && !loop.points.empty()) faded.points = {loop.points.back()};
   for (const TransientSample& sample : later) add(sample, faded);
-  // Both axes include 0, where friction changes its direction.
-  const AxisEnds x = axisEnds(slowest, fastest, 0), y = axisEnds(low, high, 0);
-  diagram.x.from = x.from;
-  diagram.x.to = x.to;
-  diagram.y.from = y.from;
-  diagram.y.to = y.to;
+  axisEnds(velocities.least, velocities.most, 0).setOn(diagram.x);
+  axisEnds(frictions.least, frictions.most, 0).setOn(diagram.y);
   DiagramSeries now{.mark = SeriesMark::Ring, .stroke = SeriesStroke::None, .colour = 1};
   if (!loop.points.empty()) now.points = {loop.points.back()};
   diagram.series = {std::move(loop), std::move(now)};
@@ -359,14 +346,14 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   const bool isOfVelocity = axes == CurveAxes::Dimensionless || scene.sweep.isOfVelocity();
   DiagramMarker marker;
   double velocity = scene.sliding.velocity, mu = frame.muSteady;
-  Message label = message("v = {}", PrintedNumber{printedQuantity(velocity, "m/s")});
+  Message label = message("v = {}", printed(velocity, "m/s"));
   if (frame.transient) {
     const std::vector<TransientSample>& samples = *frame.transient;
     // A line at rest is at no place of the curve; its last time step still had a velocity.
     const bool rests = samples.empty() || frame.velocity == 0;
     velocity = std::abs(rests ? frame.velocity : samples.back().velocity);
     mu = samples.empty() ? kNotApplicable : samples.back().mu;
-    label = message("|v| = {}", PrintedNumber{printedQuantity(std::abs(frame.velocity), "m/s")});
+    label = message("|v| = {}", printed(std::abs(frame.velocity), "m/s"));
     marker.isFixed = true;
     const std::size_t shown = std::min(samples.size(), kLongestTrace);
     if (isOfVelocity && y == CurveQuantity::Mu) {
@@ -382,7 +369,7 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   marker.x = isOfVelocity ? velocity * factors.velocity : ownSweptValue(scene);
   marker.y = axes == CurveAxes::Dimensionless ? mu * factors.friction : quantityOf(frame, y, mu);
   if (axes == CurveAxes::Dimensionless)
-    label = message("v\u0304 = {}", PrintedNumber{printedNumber(marker.x, 3)});
+    label = message("v\u0304 = {}", printed(marker.x, 3));
   else if (!isOfVelocity)
     label = describeParameter(scene.sweep.key, scene);
   // A logarithmic axis has no place for rest.

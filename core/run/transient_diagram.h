@@ -58,6 +58,11 @@ MinimumSpan minimumSpan(std::span<const TransientSample> samples, double spacing
 
 struct AxisEnds {
   double from = 0, to = 1;
+
+  void setOn(DiagramAxis& axis) const {
+    axis.from = from;
+    axis.to = to;
+  }
 };
 
 /// Returns the ends of an axis for values from low to high with a margin, spanning at least this

@@ -83,7 +83,7 @@ Message whyLine(const Scene& scene, bool) {
 Message whyRollOff(const Scene& scene, bool runs) {
   if (runs)
     return message("waves longer than {} are all equally strong",
-                   PrintedNumber{printedQuantity(scene.surface.rollOffWavelength, "m")});
+                   printed(scene.surface.rollOffWavelength, "m"));
   if (!isSelfAffine(scene)) return "the line has no spectrum of its own";
   return scene.surface.rollOffWavelength > 0 ? "no wave of the line is longer than the roll-off"
                                              : "the spectrum is self-affine up to the whole period";
@@ -152,27 +152,23 @@ Message whyPeriodicity(const Scene& scene, bool runs) {
              : "there is no steady state";
 }
 
-/// Returns a value as it was given, with a readable unit.
-PrintedNumber printedValue(double value, std::string_view unit) {
-  constexpr int kDigits = 6;
-  return {printedQuantity(value, unit, kDigits)};
-}
+constexpr int kGivenDigits = 6;  // of a value that a user gave
 
 Message whyBalance(const Scene& scene, bool runs) {
   if (!runs) return "the indentation is given";
   if (scene.load.kind == LoadKind::Force)
     return message("the indentation that carries {} is sought",
-                   printedValue(scene.load.normalForce, "N"));
+                   printed(scene.load.normalForce, "N", kGivenDigits));
   return scene.load.width > 0
              ? message(
                    "the indentation that carries {} on a width of {} is sought; results depend on "
                    "the width",
-                   printedValue(scene.load.nominalPressure, "Pa"),
-                   printedValue(scene.load.width, "m"))
+                   printed(scene.load.nominalPressure, "Pa", kGivenDigits),
+                   printed(scene.load.width, "m", kGivenDigits))
              : message(
                    "the indentation that carries {} on the square of the period is sought; results "
                    "depend on the width",
-                   printedValue(scene.load.nominalPressure, "Pa"));
+                   printed(scene.load.nominalPressure, "Pa", kGivenDigits));
 }
 
 Message whyMarch(const Scene& scene, bool runs) {

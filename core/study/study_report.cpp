@@ -187,8 +187,7 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
       constexpr double kAside = 0.12;
       const double x = static_cast<double>(index.axis) + 1;
       const auto point = [](double at, const Estimate& estimate) {
-        const double half = kHalfInterval * estimate.standardError;
-        return DiagramPoint{at, estimate.value, estimate.value - half, estimate.value + half};
+        return pointWithError(at, estimate.value, kHalfInterval * estimate.standardError);
       };
       first.points.push_back(point(x - kAside, index.first));
       total.points.push_back(point(x + kAside, index.total));
@@ -253,8 +252,7 @@ DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& out
     mean.isBand = true;
     mean.colour = 1;
     for (const MainEffect& one : effect.means)
-      mean.points.push_back(
-          {one.x, one.mean, one.mean - one.standardError, one.mean + one.standardError});
+      mean.points.push_back(pointWithError(one.x, one.mean, one.standardError));
     diagram.series = {std::move(single), std::move(mean)};
     sheet.diagrams.push_back(std::move(diagram));
   }

@@ -87,7 +87,7 @@ std::vector<Message> bandFacts(const SpectralDensity& density, const LineExtent&
                shortest = 2 * std::numbers::pi / density.waveNumber.back();
   const double longestOfLine = extent.length,
                shortestOfLine = 2 * extent.length / static_cast<double>(extent.elements);
-  const auto metres = [](double length) { return PrintedNumber{printedQuantity(length, "m")}; };
+  const auto metres = [](double length) { return printed(length, "m"); };
   std::vector<Message> facts;
   if (longestOfLine > kEqual * longest)
     facts.push_back(

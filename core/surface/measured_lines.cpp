@@ -24,8 +24,8 @@ constexpr std::int64_t kMinPoints = 3;
   throw InputError("", key, what);
 }
 
-PrintedNumber quantity(double length) {
-  return {printedQuantity(length, "m", 6)};
+PrintedNumber printedLength(double length) {
+  return printed(length, "m", 6);
 }
 
 /// The state of a file when it was read.
@@ -143,7 +143,7 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
                              const std::stop_token& stop, const ReadingProgress& progress)
     : surface_(scene.surface), file_(std::move(file)) {
   chooseRows(scene);
-  chooseStretch(scene);
+  chooseInterval(scene);
   const double spacing = file_->topography.columnSpacing;
   const ProcessingChoices& processing = surface_.processing;
   for (const auto& [key, cut] : {std::pair{"surface.short_wave_cut", processing.shortWaveCut},
@@ -158,7 +158,7 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
   // Only the form is removed here: the filters act equally on a row and on its equivalent line.
   if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rowSpacing > 0 &&
       file_->topography.rows >= kMinPoints)
-    equivalent_ = equivalentSpectra(stretches(stop), processing.form, stop, progress);
+    equivalent_ = equivalentSpectra(filledRows(stop), processing.form, stop, progress);
   throwIfStopped(stop);
   if (processing.seam == Seam::RandomPhases) setDensity(stop);
 }
@@ -217,7 +217,7 @@ void MeasuredLines::chooseRows(const Scene& scene) {
 
 /// Chooses the part of each row that is used: all of it, without gaps at the ends of a single
 /// profile, or as much as the period of the scene needs.
-void MeasuredLines::chooseStretch(const Scene& scene) {
+void MeasuredLines::chooseInterval(const Scene& scene) {
   const Topography& topography = file_->topography;
   const double spacing = topography.columnSpacing;
   usedPoints_ = static_cast<std::size_t>(topography.columns);
@@ -240,10 +240,10 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
     if (points > static_cast<double>(usedPoints_))
       fail("surface.length",
            message("{} is more than the period of {} that the file gives with this seam",
-                   quantity(period), quantity(mirrors ? 2 * there : there - blend)));
+                   printedLength(period), printedLength(mirrors ? 2 * there : there - blend)));
     if (points < static_cast<double>(kMinPoints))
       fail("surface.length",
-           message("{} has less than {} points of the file", quantity(period), kMinPoints));
+           message("{} has less than {} points of the file", printedLength(period), kMinPoints));
     usedPoints_ = static_cast<std::size_t>(points);
   } else if (blends && blend == 0) {
     blend = there / 10;
@@ -253,7 +253,7 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
     blendPoints_ = static_cast<std::size_t>(std::max(1.0, std::round(blend / spacing)));
     if (2 * blendPoints_ > usedPoints_)
       fail("surface.blend_length", message("{} is more than half of the profile, which is {} long",
-                                           quantity(blend), quantity(usedLength_)));
+                                           printedLength(blend), printedLength(usedLength_)));
   }
   periodPoints_ = mirrors ? 2 * usedPoints_ : usedPoints_ - blendPoints_;
   if (periodPoints_ < static_cast<std::size_t>(kMinPoints))
@@ -262,7 +262,7 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
   length_ = static_cast<double>(periodPoints_) * spacing;
 }
 
-std::vector<double> MeasuredLines::stretch(std::int64_t row) const {
+std::vector<double> MeasuredLines::usedHeights(std::int64_t row) const {
   const auto heights =
       file_->topography.row(rows_[static_cast<std::size_t>(row)]).subspan(firstPoint_, usedPoints_);
   return {heights.begin(), heights.end()};
@@ -274,7 +274,7 @@ void MeasuredLines::countPoints() const {
     const ProcessingChoices& processing = surface_.processing;
     missing_.rowsLeftOut = leftOut_;
     for (std::int64_t row = 0; row < rows(); ++row) {
-      std::vector<double> heights = stretch(row);
+      std::vector<double> heights = usedHeights(row);
       missing_.gaps += gapCount(heights);
       missing_.outliers += markOutliers(heights, processing.outliers, processing.form);
       spikes_ += spikeCount(heights, processing.form);
@@ -314,7 +314,7 @@ CoarseRows MeasuredLines::coarseRows() const {
     coarseRows_.examined = std::min(rows(), kMaxRows);
     for (std::int64_t i = 0; i < coarseRows_.examined; ++i) {
       const std::int64_t row = rowOfRealization(i, coarseRows_.examined, rows());
-      if (coarseSteps(stretch(row)).step > 0 && spectrumLimits(profile(row)).steps.step > 0)
+      if (coarseSteps(usedHeights(row)).step > 0 && spectrumLimits(profile(row)).steps.step > 0)
         ++coarseRows_.coarse;
     }
   });
@@ -333,7 +333,7 @@ double MeasuredLines::radiusOfForm() const {
     const std::int64_t count = std::min(rows(), kMaxRows);
     std::vector<double> radii;  // 0 where a row is no circle
     for (std::int64_t i = 0; i < count; ++i) {
-      std::vector<double> heights = stretch(rowOfRealization(i, count, rows()));
+      std::vector<double> heights = usedHeights(rowOfRealization(i, count, rows()));
       markOutliers(heights, processing.outliers, processing.form);
       radii.push_back(radiusOfRoundForm(heights, file_->topography.columnSpacing));
     }
@@ -348,7 +348,7 @@ ProcessedProfile MeasuredLines::profile(std::int64_t row) const {
   const ProcessingChoices& processing = surface_.processing;
   ProcessedProfile profile;
   profile.spacing = file_->topography.columnSpacing;
-  profile.raw = stretch(row);
+  profile.raw = usedHeights(row);
   profile.used = profile.raw;
   profile.gaps = gapCount(profile.used);
   profile.outliers = markOutliers(profile.used, processing.outliers, processing.form);
@@ -399,7 +399,7 @@ bool MeasuredLines::hasSeamJump(const ProcessedProfile& profile) const {
 
 /// Returns the used parts of all rows for the spectrum of the surface, with gaps and outliers
 /// interpolated.
-Topography MeasuredLines::stretches(const std::stop_token& stop) const {
+Topography MeasuredLines::filledRows(const std::stop_token& stop) const {
   const Topography& all = file_->topography;
   Topography part{
       static_cast<std::int64_t>(usedPoints_), all.rows, all.columnSpacing, all.rowSpacing, {}};

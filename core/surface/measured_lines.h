@@ -31,7 +31,7 @@ std::shared_ptr<const MeasuredFile> readMeasuredSurface(const Scene& scene,
 /// One row before and after its processing, without the seam.
 struct ProcessedProfile {
   double spacing = 0;        // m
-  std::vector<double> raw;   // m, the stretch used, as in the file; NaN where nothing was measured
+  std::vector<double> raw;   // m, the interval used, as in the file; NaN where nothing was measured
   std::vector<double> used;  // m
   std::int64_t gaps = 0, outliers = 0;  // points that were interpolated
 };
@@ -119,11 +119,11 @@ class MeasuredLines {
 
  private:
   void chooseRows(const Scene& scene);
-  void chooseStretch(const Scene& scene);
+  void chooseInterval(const Scene& scene);
   void setDensity(const std::stop_token& stop);
-  std::vector<double> stretch(std::int64_t row) const;
+  std::vector<double> usedHeights(std::int64_t row) const;
   void countPoints() const;
-  Topography stretches(const std::stop_token& stop) const;
+  Topography filledRows(const std::stop_token& stop) const;
 
   Surface surface_;
   std::shared_ptr<const MeasuredFile> file_;

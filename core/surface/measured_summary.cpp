@@ -8,7 +8,7 @@ namespace asperity {
 namespace {
 
 PrintedNumber metres(double value) {
-  return {printedQuantity(value, "m", 5)};
+  return printed(value, "m", 5);
 }
 
 /// Returns the measured heights relative to their mean, with gaps interpolated, as a spectrum needs
@@ -59,7 +59,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
 }
 
 Message spikesFact(std::int64_t spikes) {
-  const PrintedNumber usual{printedNumber(kUsualOutliers, 2)};
+  const PrintedNumber usual = printed(kUsualOutliers, 2);
   if (spikes == 1)
     return message(
         "one point of all rows stands far out of its neighbours, like a spike: where it is an "
@@ -99,21 +99,17 @@ std::vector<Message> readingFacts(const Scene& scene) {
   return readingFacts(lines->file().facts, lines->missingHeights());
 }
 
-std::vector<Message> factsOf(const MeasuredSummary& summary) {
-  std::vector<Message> list = readingFacts(summary.facts, summary.missing);
-  if (summary.rows > 1)
-    list.push_back(summary.rowsUsed == 1 ? message("row {} alone is the line", summary.rowInFile)
-                                         : message("shown is row {}; {} rows are lines",
-                                                   summary.rowInFile, summary.rowsUsed));
-  if (summary.spikes > 0) list.push_back(spikesFact(summary.spikes));
+namespace {
+
+/// Adds what the line is: the surface as measured or its isotropic equivalent, and its period.
+void addLineFacts(const MeasuredSummary& summary, std::vector<Message>& list) {
   list.push_back(
       summary.isEquivalent
           ? message(
                 "the line is the isotropic equivalent, C = \u03C0 q C\u2082, which has the height "
                 "of the whole surface in the mean over all rows; its rms height is {} times "
                 "and its rms slope {} times that of the line as measured",
-                PrintedNumber{printedNumber(summary.ratios.height, 4)},
-                PrintedNumber{printedNumber(summary.ratios.slope, 4)})
+                printed(summary.ratios.height, 4), printed(summary.ratios.slope, 4))
           : Message("the line is the surface as measured"));
   // The window across the rows distinguishes wavelengths from two rows to half of all rows.
   constexpr std::int64_t kRowsForFourOctaves = 64;
@@ -129,6 +125,10 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
       summary.isMirrored
           ? message("one period of the line is {} long, twice the profile", metres(summary.period))
           : message("one period of the line is {} long", metres(summary.period)));
+}
+
+/// Adds what makes the line too steep or its values doubtful, and what to do about it.
+void addDoubts(const MeasuredSummary& summary, std::vector<Message>& list) {
   if (summary.longWaveCut > summary.used.length)
     list.push_back(message(
         "the long-wave cut-off of {} is longer than the profile of {}: hardly any wave is removed, "
@@ -145,28 +145,41 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
     list.push_back(
         message("the profile is part of a circle with a radius of {}, which a parabola does not "
                 "follow: measure a shorter piece, or remove the form by surface.long_wave_cut",
-                PrintedNumber{printedQuantity(summary.radius, "m", 2)}));
+                printed(summary.radius, "m", 2)));
   if (summary.coarseRows.examined > 1 && summary.coarseRows.coarse > 0)
     list.push_back(
         message("of {} rows examined, {} have heights in steps that are too coarse for their line",
                 summary.coarseRows.examined, summary.coarseRows.coarse));
-  if (summary.isFlat) {
-    list.push_back("all heights of the row are the same: it has no spectrum");
-    return list;
-  }
-  if (!(summary.band.to > summary.band.from)) {
-    list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
-    return list;
-  }
-  list.push_back(
-      summary.band.endsInNoise
-          ? message("the spectrum is reliable for wavelengths of {} to {}; shorter ones are noise",
-                    metres(2 * std::numbers::pi / summary.band.to),
-                    metres(2 * std::numbers::pi / summary.band.from))
-          : message("the spectrum is reliable for wavelengths of {} to {}, as far as the tip was "
-                    "sharper than these",
-                    metres(2 * std::numbers::pi / summary.band.to),
-                    metres(2 * std::numbers::pi / summary.band.from)));
+}
+
+Message spectrumFact(const MeasuredSummary& summary) {
+  if (summary.isFlat) return "all heights of the row are the same: it has no spectrum";
+  if (!(summary.band.to > summary.band.from))
+    return "the profile is too short, or too noisy, for a spectrum that can be relied on";
+  const PrintedNumber shortest = metres(2 * std::numbers::pi / summary.band.to),
+                      longest = metres(2 * std::numbers::pi / summary.band.from);
+  return summary.band.endsInNoise
+             ? message(
+                   "the spectrum is reliable for wavelengths of {} to {}; shorter ones are noise",
+                   shortest, longest)
+             : message(
+                   "the spectrum is reliable for wavelengths of {} to {}, as far as the tip was "
+                   "sharper than these",
+                   shortest, longest);
+}
+
+}  // namespace
+
+std::vector<Message> factsOf(const MeasuredSummary& summary) {
+  std::vector<Message> list = readingFacts(summary.facts, summary.missing);
+  if (summary.rows > 1)
+    list.push_back(summary.rowsUsed == 1 ? message("row {} alone is the line", summary.rowInFile)
+                                         : message("shown is row {}; {} rows are lines",
+                                                   summary.rowInFile, summary.rowsUsed));
+  if (summary.spikes > 0) list.push_back(spikesFact(summary.spikes));
+  addLineFacts(summary, list);
+  addDoubts(summary, list);
+  list.push_back(spectrumFact(summary));
   return list;
 }
 

@@ -71,8 +71,7 @@ class Reader {
   void begin(std::string_view text) {
     if (const std::string_view kind = detectNonText(text); !kind.empty())
       fail(message("is {}; a profile is CSV in UTF-8", Message(kind)));
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    take(text);
+    take(withoutByteOrderMark(text));
   }
 
   /// Reads further whole lines, directly after the earlier ones or further on in the file.

@@ -59,7 +59,7 @@ std::vector<std::string_view> bracketed(std::string_view name) {
 }
 
 /// Returns the words of a name, split at characters that no unit contains.
-std::vector<std::string> splitWords(std::string_view text) {
+std::vector<std::string> lowerCaseWords(std::string_view text) {
   std::vector<std::string> words;
   constexpr std::string_view between = " \t_()[]{}/,;:=*";
   while (true) {
@@ -91,11 +91,11 @@ bool namesColumns(std::span<const std::string_view> fields) {
 
 std::string foreignUnitIn(std::string_view name) {
   for (const std::string_view part : bracketed(name)) {
-    const std::vector<std::string> words = splitWords(part);
+    const std::vector<std::string> words = lowerCaseWords(part);
     if (scalesMetres(words)) return std::string(part);
     if (words.size() == 1 && isOneOf(words.front(), kShortUnits)) return words.front();
   }
-  for (const std::string& word : splitWords(name))
+  for (const std::string& word : lowerCaseWords(name))
     if (isOneOf(word, kLengths)) return word;
   return {};
 }

@@ -6,12 +6,13 @@
 
 namespace asperity {
 
-inline Scene sceneOfSize(std::int64_t elements, std::int64_t velocities,
-                         std::int64_t realizations) {
+inline Scene sceneOfSize(std::int64_t elements, std::int64_t velocities, std::int64_t realizations,
+                         double velocity = Sliding().velocity) {
   Scene scene;
   scene.surface.elements = elements;
   scene.sweep.points = velocities;
   scene.ensemble.realizations = realizations;
+  scene.sliding.velocity = velocity;
   return scene;
 }
 

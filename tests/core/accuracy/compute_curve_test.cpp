@@ -19,9 +19,7 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 Scene smallScene() {
-  Scene scene = sceneOfSize(300, 5, 6);
-  scene.sliding.velocity = 0.02;
-  return scene;
+  return sceneOfSize(300, 5, 6, 0.02);
 }
 
 Scene over(Scene scene, const char* key, double from, double to, std::int64_t points,

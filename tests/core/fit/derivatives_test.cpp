@@ -13,9 +13,7 @@ namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene = sceneOfSize(300, 5, 12);
-  scene.sliding.velocity = 0.02;
-  return scene;
+  return sceneOfSize(300, 5, 12, 0.02);
 }
 
 std::map<std::string_view, Sensitivity> byKey(const std::vector<Sensitivity>& all) {

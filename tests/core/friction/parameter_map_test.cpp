@@ -24,9 +24,7 @@ namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene = sceneOfSize(200, 5, 4);
-  scene.sliding.velocity = 0.02;
-  return scene;
+  return sceneOfSize(200, 5, 4, 0.02);
 }
 
 MapAxis side(const Scene& scene, const std::string& range) {

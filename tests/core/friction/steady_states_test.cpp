@@ -19,9 +19,7 @@ namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene = sceneOfSize(300, 5, 6);
-  scene.sliding.velocity = 0.02;
-  return scene;
+  return sceneOfSize(300, 5, 6, 0.02);
 }
 
 void set(Scene& scene, const char* key, double value) {

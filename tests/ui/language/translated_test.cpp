@@ -26,8 +26,7 @@ TEST_F(Translated, EnglishIsLeftAlone) {
 TEST_F(Translated, ValuesStandInTheTranslatedTemplateAndNumbersGetAComma) {
   EXPECT_EQ(translated(message("mean of {} lines \u00B1 standard error", 200)),
             "Mittel über 200 Linien \u00B1 Standardfehler");
-  EXPECT_EQ(translated(message("the indentation that carries {} is sought",
-                               PrintedNumber{printedQuantity(0.0034, "N")})),
+  EXPECT_EQ(translated(message("the indentation that carries {} is sought", printed(0.0034, "N"))),
             "die Eindringung, die 3,4 mN trägt, wird gesucht");
 }
 
@@ -45,7 +44,7 @@ TEST_F(Translated, NumbersArePrintedInOneStyle) {
 /// What a chart or a reading says has groups of thousands, which nobody can type into an entry.
 TEST_F(Translated, ReadingsHaveGroupsOfThousands) {
   useLanguage("en");
-  const Message speed = message("v = {}", PrintedNumber{printedQuantity(1234, "m/s", 4)});
+  const Message speed = message("v = {}", printed(1234, "m/s", 4));
   EXPECT_EQ(readingText(speed), "v = 1,234 m/s");
   EXPECT_EQ(translated(speed), "v = 1234 m/s");
   DiagramSheet sheet;

@@ -49,9 +49,7 @@ void showAllVelocities(DiagramSheet& sheet, const Sliding& sliding) {
     fastest = std::max(fastest, motion.velocityAt(time));
   }
   if (!(slowest < fastest)) return;
-  const AxisEnds ends = axisEnds(slowest, fastest, 0);
-  sheet.diagrams.front().y.from = ends.from;
-  sheet.diagrams.front().y.to = ends.to;
+  axisEnds(slowest, fastest, 0).setOn(sheet.diagrams.front().y);
 }
 
 }  // namespace
