@@ -4039,6 +4039,10 @@
         <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
     </message>
     <message>
+        <source>The file has %1 profiles side by side, %2 to %3, which are the rows of the surface: surface.row chooses one.</source>
+        <translation>Die Datei hat %1 Profile nebeneinander, %2 bis %3, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
+    </message>
+    <message>
         <source>is needed: blank lines separate %1 parts of %2 rows; say matrix where they are one, and leave only one of them in the file where they are several</source>
         <translation>wird gebraucht: Leerzeilen trennen %1 Teile mit je %2 Zeilen; matrix angeben, wenn sie eine sind, und nur einen davon in der Datei lassen, wenn sie mehrere sind</translation>
     </message>
