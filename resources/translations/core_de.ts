@@ -4931,6 +4931,26 @@
         <translation>nur eine Temperatur: es gibt keine Verschiebung, und Szenen brauchen elastomer.temperature=%1</translation>
     </message>
     <message>
+        <source>a table of temperatures and log aT below the numbers in the file, or a line with C1 and C2 above them, would be read as the shift</source>
+        <translation>eine Tabelle von Temperaturen und log aT unter den Zahlen der Datei oder eine Zeile mit C1 und C2 darüber würde als Verschiebung gelesen</translation>
+    </message>
+    <message>
+        <source>there is no such file; the nearest shipped scene is %1</source>
+        <translation>es gibt keine solche Datei; die nächste mitgelieferte Szene ist %1</translation>
+    </message>
+    <message>
+        <source>Measured friction holds local friction, the curves of other settings do not: with mu_total as the vertical axis, all do.</source>
+        <translation>Gemessene Reibung enthält lokale Reibung, die Kurven anderer Einstellungen nicht: mit mu_total als senkrechter Achse enthalten sie alle.</translation>
+    </message>
+    <message>
+        <source>without waves shorter than %1 friction of deformation is half as large</source>
+        <translation>ohne Wellen kürzer als %1 ist die Reibung der Verformung halb so groß</translation>
+    </message>
+    <message>
+        <source>at the shortest waves of the line, one decade of wavelengths makes %1 % of friction: shorter waves, which the line does not have, would change it</source>
+        <translation>bei den kürzesten Wellen der Linie macht eine Dekade der Wellenlängen %1 % der Reibung aus: kürzere Wellen, welche die Linie nicht hat, würden sie ändern</translation>
+    </message>
+    <message>
         <source>one arm</source>
         <translation>ein Arm</translation>
     </message>
