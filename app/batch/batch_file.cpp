@@ -50,8 +50,8 @@ std::vector<std::string> readSweepRange(const Parameter& row, const Json& spec,
     refuseMember(where + "." + member,
                  notOneOf(scale, std::array<std::string_view, 2>{log, "linear"}));
   if (!spec.contains("points")) refuseMember(where + ".points", "is missing; it needs a number");
-  const ParameterRange range{&row, numberMember(spec, where, "from"),
-                             numberMember(spec, where, "to"),
+  const ParameterRange range{&row, rangeEnd(row, spec, where, "from"),
+                             rangeEnd(row, spec, where, "to"),
                              integerMember(spec, "points", 2, kMaxItems, where), scale != "linear"};
   if (range.isLogarithmic && !(range.from > 0 && range.to > 0))
     refuseMember(where, "a logarithmic range needs ends above 0");
