@@ -243,6 +243,10 @@
         <translation>die Streuung der %1 zufälligen Linien ist ein größerer Teil der Fehler als die Punkte, und so wenige Linien schätzen sie schlecht: die wahren Werte können zwei oder drei Standardfehler entfernt sein; mehr Linien (ensemble.realizations) machen die Fehler kleiner und genauer bekannt</translation>
     </message>
     <message>
+        <source>the spread of the %1 rows of the surface is a larger part of the errors than the points are, and so few rows estimate it poorly: the true values may be two or three standard errors away; a larger piece of the surface makes the errors smaller and better known</source>
+        <translation>die Streuung der %1 Zeilen der Oberfläche ist ein größerer Teil der Fehler als die Punkte, und so wenige Zeilen schätzen sie schlecht: die wahren Werte können zwei oder drei Standardfehler entfernt sein; ein größeres Stück der Oberfläche macht die Fehler kleiner und genauer bekannt</translation>
+    </message>
+    <message>
         <source>the sum of squares is lower at %1 = %2, by %3: the fit has not reached its minimum; begin again from that value</source>
         <translation>die Summe der Quadrate ist bei %1 = %2 kleiner, um %3: Die Anpassung hat ihr Minimum nicht erreicht; mit diesem Wert neu beginnen</translation>
     </message>
@@ -3147,8 +3151,8 @@
         <translation>das Profil ist Teil eines Kreises, wie bei einem Reifen oder einer Walze, dem eine Parabel nicht folgt, und diese Form trägt Last: ein kürzeres Stück messen, oder sie mit surface.long_wave_cut entfernen</translation>
     </message>
     <message>
-        <source>the rows of the surface are so much alike that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
-        <translation>die Zeilen der Oberfläche sind einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
+        <source>the rows of the surface are so few, or so much alike, that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
+        <translation>die Zeilen der Oberfläche sind so wenige oder einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
     </message>
     <message>
         <source>so much power is dissipated that the elastomer would become warmer, which is not computed</source>
