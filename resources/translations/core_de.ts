@@ -1239,8 +1239,8 @@
         <translation>diese Oberfläche hat eine Linie und keine weitere Realisierung</translation>
     </message>
     <message>
-        <source>unknown key; &apos;asperity help check&apos; lists all</source>
-        <translation>unbekannter Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
+        <source>unknown key; &apos;asperity check --help keys&apos; lists all</source>
+        <translation>unbekannter Schlüssel; &apos;asperity check --help keys&apos; nennt alle</translation>
     </message>
     <message>
         <source>waves longer than %1 are all equally strong</source>
