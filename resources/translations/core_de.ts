@@ -4039,12 +4039,12 @@
         <translation>Die Datei hat %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
     </message>
     <message>
-        <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
-        <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
-    </message>
-    <message>
         <source>The file has %1 profiles side by side, %2 to %3, which are the rows of the surface: surface.row chooses one.</source>
         <translation>Die Datei hat %1 Profile nebeneinander, %2 bis %3, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
+    </message>
+    <message>
+        <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
+        <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
     </message>
     <message>
         <source>is needed: blank lines separate %1 parts of %2 rows; say matrix where they are one, and leave only one of them in the file where they are several</source>
@@ -4931,10 +4931,6 @@
         <translation>enthält einen Versuch über der Zeit: Relaxationsversuche, G(t), und Kriechversuche, J(t), werden nicht gelesen; gelesen werden G′ und G″ über der Frequenz bei einer oder mehreren Temperaturen und Prony-Reihen</translation>
     </message>
     <message>
-        <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>
-        <translation>nur eine Temperatur: es gibt keine Verschiebung, und Szenen brauchen elastomer.temperature=%1</translation>
-    </message>
-    <message>
         <source>a table of temperatures and log aT below the numbers in the file, or a line with C1 and C2 above them, would be read as the shift</source>
         <translation>eine Tabelle von Temperaturen und log aT unter den Zahlen der Datei oder eine Zeile mit C1 und C2 darüber würde als Verschiebung gelesen</translation>
     </message>
@@ -4953,6 +4949,10 @@
     <message>
         <source>at the shortest waves of the line, one decade of wavelengths makes %1 % of friction: shorter waves, which the line does not have, would change it</source>
         <translation>bei den kürzesten Wellen der Linie macht eine Dekade der Wellenlängen %1 % der Reibung aus: kürzere Wellen, welche die Linie nicht hat, würden sie ändern</translation>
+    </message>
+    <message>
+        <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>
+        <translation>nur eine Temperatur: es gibt keine Verschiebung, und Szenen brauchen elastomer.temperature=%1</translation>
     </message>
     <message>
         <source>one arm</source>
