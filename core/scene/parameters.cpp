@@ -293,7 +293,9 @@ std::string_view nearestKey(std::string_view key) {
       return row.key;
   // A section: "surfaces".
   if (start.find('.') == start.npos) {
-    if (const std::string_view section = nearestSection(start); !section.empty()) return section;
+    const std::string_view section = nearestSection(start);
+    if (section == start) return {};  // a section has no value itself
+    if (!section.empty()) return section;
   } else {
     // The beginning of a key: "interface.friction".
     for (const Parameter& row : kTable)

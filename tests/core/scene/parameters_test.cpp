@@ -126,6 +126,7 @@ TEST(Parameters, NearestKeyForgivesTypingErrors) {
   EXPECT_EQ(nearestKey("load.normalforce"), "load.normal_force");
   EXPECT_EQ(nearestKey("interface.friction"), "interface.friction_coefficient");
   EXPECT_EQ(nearestKey("surfaces"), "surface");
+  EXPECT_EQ(nearestKey("surface"), "");
   EXPECT_EQ(nearestKey("foo"), "");
   EXPECT_EQ(nearestKey(std::string(100000, 'x')), "");
 }
