@@ -12,6 +12,7 @@
 #include "core/base/json_text.h"
 #include "core/scene/provenance.h"
 #include "core/surface/surface_file.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -147,6 +148,11 @@ std::string OutputFolder::summary() const {
   for (const Text& text : texts_) lines += wroteLine(text.file);
   for (const Sheet& sheet : sheets_)
     lines += wroteLine(filePath(sheet.name + ".png") + " (.svg, .pdf)");
+  for (const std::string& name : others_)
+    if (const std::string file = filePath(name + ".png");
+        std::ranges::find(sheets_, name, &Sheet::name) == sheets_.end() &&
+        std::filesystem::exists(file))
+      lines += filledLine(Words::tr("not of this run: %1, left by an earlier one"), file);
   return lines;
 }
 

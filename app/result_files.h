@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/command_options.h"
@@ -77,12 +78,16 @@ class OutputFolder {
   /// Adds a chart that is written as NAME.png, NAME.svg and NAME.pdf.
   void addSheet(const std::string& name, DiagramSheet sheet);
 
+  /// States charts that other runs of the command make: the summary names those that an earlier run
+  /// has left in the folder and this one does not replace.
+  void setOtherSheets(std::vector<std::string> names) { others_ = std::move(names); }
+
   /// Writes all files. All contents are known by now, so that the folder has only complete files.
   /// The first text, which describes the others, is written last. origin: makes the provenance of a
   /// picture from the given options and the picture's name.
   void write(const std::vector<GivenOption>& given,
              const std::function<nlohmann::ordered_json()>& origin) const;
-  /// Returns one line for each file.
+  /// Returns one line for each file, and for each one that an earlier run has left.
   std::string summary() const;
 
  private:
@@ -101,6 +106,7 @@ class OutputFolder {
   const PictureSettings& settings_;
   std::vector<Text> texts_;
   std::vector<Sheet> sheets_;
+  std::vector<std::string> others_;
 };
 
 }  // namespace asperity

@@ -50,8 +50,8 @@ std::vector<std::string> readSweepRange(const Parameter& row, const Json& spec,
     refuseMember(where + "." + member,
                  notOneOf(scale, std::array<std::string_view, 2>{log, "linear"}));
   if (!spec.contains("points")) refuseMember(where + ".points", "is missing; it needs a number");
-  const ParameterRange range{&row, numberMember(spec, where, "from"),
-                             numberMember(spec, where, "to"),
+  const ParameterRange range{&row, rangeEnd(row, spec, where, "from"),
+                             rangeEnd(row, spec, where, "to"),
                              integerMember(spec, "points", 2, kMaxItems, where), scale != "linear"};
   if (range.isLogarithmic && !(range.from > 0 && range.to > 0))
     refuseMember(where, "a logarithmic range needs ends above 0");
@@ -244,8 +244,8 @@ const char* const kBatchFormat =
       "sweep": {"load.normal_force": {"from": 1e-3, "to": 10, "points": 5},
                 "surface.hurst": [0.3, 0.7, 1]}}]}
 An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
-key. A sweep is a list, or a range, logarithmic unless "scale": "linear"; several keys make a
-grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv, contact_sheet.png
+key, with units as texts: "1 mN". A sweep is a list, or a range, logarithmic unless "scale":
+"linear"; several keys make a grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv, contact_sheet.png
 (of more than 100 scenes only with --contact-sheet), and for each scene NAME.png, NAME.json (the scene)
 and, of curve, both and transient, NAME.csv: the curve, or the motion as asperity motion writes it,
 in at most 2000 rows. In results.csv mu, indentation and contact_fraction are means over the

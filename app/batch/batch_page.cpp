@@ -122,6 +122,11 @@ std::string withError(double value, double standardError) {
   return std::isfinite(standardError) ? text + " \u00B1 " + shortNumber(standardError, 2) : text;
 }
 
+/// Returns whether the mean has local friction beside that of the deformation.
+bool hasTotal(const BatchResult& result) {
+  return result.mean && std::isfinite(result.mean->muInterface);
+}
+
 /// Returns the means, each with its standard error where it has one, and beside them the results of
 /// the line that is shown. A scene of one line has only the latter.
 std::string readings(const BatchResult& result) {
@@ -133,6 +138,9 @@ std::string readings(const BatchResult& result) {
     return row(mean ? Words::tr("coefficient of friction")
                     : Words::tr("coefficient of friction at the end, of the line shown"),
                mu) +
+           (hasTotal(result)
+                ? row(translated(Message("with local friction")), shortNumber(totalMu(*mean), 4))
+                : std::string()) +
            row(Words::tr("in contact"), contact) + row(Words::tr("indentation"), indentation);
   const auto both = [](const std::string& all, const std::string& own) {
     return filled(Words::tr("%1 (line shown: %2)"), {all, own});
@@ -140,6 +148,9 @@ std::string readings(const BatchResult& result) {
   return row(filled(Words::tr("coefficient of friction, mean of %1 lines"),
                     {std::to_string(mean->realizations)}),
              both(withError(mean->mu, mean->muStandardError), mu)) +
+         (hasTotal(result)
+              ? row(translated(Message("with local friction")), shortNumber(totalMu(*mean), 4))
+              : std::string()) +
          row(Words::tr("in contact"), both(shortPercent(mean->contactFraction), contact)) +
          row(Words::tr("indentation"), both(quantity(mean->indentation, "m", 4), indentation));
 }
@@ -199,10 +210,12 @@ std::string batchTable(const std::vector<BatchResult>& results) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
   std::string text = joinedColumns({"name"}) + ",";
   for (const std::string& key : keys) text += csvCell(key) + ",";
-  text +=
-      joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
-                     "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
-      "\n";
+  const bool anyTotal = std::ranges::any_of(results, hasTotal);
+  text += joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error"}) + ",";
+  if (anyTotal) text += joinedColumns({"mu_total"}) + ",";
+  text += joinedColumns(
+              {"realizations", "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
+          "\n";
   for (const BatchResult& result : results) {
     text += result.item.name + ",";
     for (const std::string& key : keys) {
@@ -214,12 +227,12 @@ std::string batchTable(const std::vector<BatchResult>& results) {
     const auto ofMean = [&](double CurvePoint::*member) {
       return mean ? csvNumber((*mean).*member) : std::string();
     };
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", ofMean(&CurvePoint::mu),
-                        ofMean(&CurvePoint::indentation), ofMean(&CurvePoint::contactFraction),
-                        ofMean(&CurvePoint::muStandardError),
-                        mean ? std::to_string(mean->realizations) : "", csvNumber(result.lineMu),
-                        csvNumber(result.lineIndentation), csvNumber(result.lineContactFraction),
-                        csvCell(result.fault().english()));
+    text += fmt::format("{},{},{},{},", ofMean(&CurvePoint::mu), ofMean(&CurvePoint::indentation),
+                        ofMean(&CurvePoint::contactFraction), ofMean(&CurvePoint::muStandardError));
+    if (anyTotal) text += (mean ? csvNumber(totalMu(*mean)) : std::string()) + ",";
+    text += fmt::format("{},{},{},{},{}\n", mean ? std::to_string(mean->realizations) : "",
+                        csvNumber(result.lineMu), csvNumber(result.lineIndentation),
+                        csvNumber(result.lineContactFraction), csvCell(result.fault().english()));
   }
   return text;
 }

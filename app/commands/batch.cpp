@@ -1,5 +1,6 @@
 // asperity batch: runs many scenes and sweeps; writes pictures, data and a page with all of them.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -21,6 +22,7 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/chart/curve_set.h"
 #include "core/friction/curve_file.h"
 #include "core/run/motion_table.h"
 #include "core/scene/data_table.h"
@@ -33,6 +35,7 @@
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/scene_files.h"
 
 namespace asperity {
 namespace {
@@ -209,8 +212,8 @@ class BatchRun {
     result.reading = readingFacts(result.item.scene);
     const std::vector<CurvePoint> curve =
         known ? known->curve : computeMeans(result, content.layout);
-    if (!curve.empty()) content.curves.present = {{}, shown, curve, 0};
     if (known && !grid_) return;
+    if (!curve.empty()) content.curves = curvesOf(result, shown, curve);
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
@@ -244,6 +247,19 @@ class BatchRun {
     return curve.points;
   }
 
+  /// Returns the curve with what the scene compares it with: measured friction and theories.
+  CurveSet curvesOf(BatchResult& result, const Scene& shown,
+                    const std::vector<CurvePoint>& curve) const {
+    CurveSet set;
+    set.present = {{}, shown, curve, 0};
+    if (hasComparisons(set))
+      addComparisons(set, readComparisonData(shown), {.threads = command_.common.threads});
+    for (const MeasuredCurve& measured : set.measured)
+      for (const Message& note : measured.data.notes)
+        result.reading.push_back(message("{}: {}", Message::name(measured.data.name), note));
+    return set;
+  }
+
   /// Writes the files of one scene.
   void write(BatchResult& result, const Scene& shown, const PictureContent& content,
              const Frame& frame, HeadlessPictures& pictures) {
@@ -264,8 +280,10 @@ class BatchRun {
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
-      writeFileAtomically(fileIn(name + ".csv"),
-                          provenanceComment("batch", scene) + curveCsv(curve, columnsFor(scene)));
+      const bool isAlone = scene.comparison == Comparisons{};
+      writeFileAtomically(fileIn(name + ".csv"), provenanceComment("batch", scene) +
+                                                     (isAlone ? curveCsv(curve, columnsFor(scene))
+                                                              : curveSetCsv(content.curves)));
       result.files.push_back(name + ".csv");
     }
     if (layoutFrom(result.item.show) == PictureLayout::Transient) {
@@ -276,7 +294,8 @@ class BatchRun {
           provenanceComment(motionProvenance("batch", scene, table)) + motionCsv(table));
       result.files.push_back(name + ".csv");
     }
-    writeFileAtomically(fileIn(name + ".json"), writeScene(scene));
+    writeFileAtomically(fileIn(name + ".json"),
+                        writeScene(withFilesRelativeTo(command_.output, scene)));
     result.files.push_back(name + ".json");
   }
 
@@ -359,6 +378,7 @@ class BatchRun {
         const CurvePoint& mean = result.mean ? *result.mean : none;
         entry["mu"] = numberOrNull(mean.mu);
         entry["mu_standard_error"] = numberOrNull(mean.muStandardError);
+        if (std::isfinite(mean.muInterface)) entry["mu_total"] = totalMu(mean);
         entry["realizations"] = result.mean ? Json(mean.realizations) : Json();
         entry["line_mu"] = numberOrNull(result.lineMu);
         entry["provenance"] = provenance("batch", result.item.scene);

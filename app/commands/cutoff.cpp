@@ -22,14 +22,19 @@ int runCutoff(const TableCommand& command) {
                          .progress = [&bar](double part) { bar.showPart(part); }};
     return frictionOverCutoff(scene, options);
   });
-  const auto pressure = pressureNote(scene);
+  std::string summary;
+  for (const Message& line : describeCutoff(points)) summary += translated(line) + "\n";
+  if (const auto pressure = pressureNote(scene)) summary += translated(*pressure) + "\n";
+  NoteSet notes;
+  if (!points.empty()) notes.add(points.back().state.notes);  // of the whole line
+  summary += noteLines(notes);
   const auto origin = [&] { return provenance("cutoff", scene); };
   writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + cutoffCsv(points); },
                .json = [&] { return cutoffJson(scene, points); },
                .sheet = [&] { return cutoffSheet(scene, points); },
                .origin = origin,
-               .summary = pressure ? translated(*pressure) + "\n" : "",
+               .summary = summary,
                .reading = readingFacts(scene)});
   return kDone;
 }

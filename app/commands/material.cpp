@@ -62,6 +62,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   }
   for (NamedSheet& sheet : materialSheets(material))
     output.addSheet(sheet.name, std::move(sheet.sheet));
+  output.setOtherSheets({"isotherms", "shifts"});
   output.write(command.common.given, origin);
   std::string text = material.name + "\n";
   for (const Message& line : materialSummary(material)) text += "  " + translated(line) + "\n";

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/intervals.h"
+#include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 
 namespace asperity {
@@ -38,40 +39,88 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle,
                                     SeriesMark::Circle};
 
-/// Returns the temperatures of a table, rising, if there are several but no more than marks.
-std::vector<double> fewTemperatures(const MeasuredCurve& measured) {
-  std::vector<double> all;
-  for (const MeasuredPoint& point : measured.data.points)
-    if (!std::isnan(point.temperature)) all.push_back(point.temperature);
-  if (all.size() < measured.data.points.size()) return {};
-  std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
-  return all.size() > 1 && all.size() <= kMeasuredMarks.size() ? all : std::vector<double>{};
+/// A quantity that tells the points of a table apart.
+struct Distinction {
+  double MeasuredPoint::*value;
+  const char* unit;
+  int digits;
+};
+constexpr std::array kLoads{Distinction{&MeasuredPoint::normalForce, "N", 3},
+                            Distinction{&MeasuredPoint::nominalPressure, "Pa", 3}};
+constexpr Distinction kTemperature{&MeasuredPoint::temperature, "K", 5};
+
+std::string textOf(const Distinction& by, const MeasuredPoint& point) {
+  return printedQuantity(point.*by.value, by.unit, by.digits);
 }
 
-/// Makes the series of the measured points: one for each table, or for each temperature of a table,
-/// all in the colour of the table, which no pinned curve changes. place(k, i): of point i of table
-/// k, with its row.
+/// Returns the values of the quantity in a table as they are printed, rising, if all points have
+/// one and there are several but no more than marks; else one empty text, which means all points.
+std::vector<std::string> fewValues(const MeasuredCurve& measured, const Distinction& by) {
+  std::vector<MeasuredPoint> points = measured.data.points;
+  const std::vector<std::string> one(1);
+  if (std::ranges::any_of(points,
+                          [&](const MeasuredPoint& point) { return std::isnan(point.*by.value); }))
+    return one;
+  std::ranges::sort(points, {}, by.value);
+  std::vector<std::string> texts;
+  for (const MeasuredPoint& point : points)
+    if (std::string text = textOf(by, point); texts.empty() || texts.back() != text)
+      texts.push_back(std::move(text));
+  return texts.size() > 1 && texts.size() <= kMeasuredMarks.size() ? texts : one;
+}
+
+/// The points of one table with one load and one temperature, each as it is printed; empty: any.
+struct MeasuredPart {
+  const Distinction* load = nullptr;
+  std::string loadText{}, temperature{};
+
+  bool has(const MeasuredPoint& point) const {
+    return (loadText.empty() || textOf(*load, point) == loadText) &&
+           (temperature.empty() || textOf(kTemperature, point) == temperature);
+  }
+  Message name(const std::string& table) const {
+    Message name(table);
+    for (const std::string& text : {loadText, temperature})
+      if (!text.empty()) name = message("{}, {}", name, PrintedNumber{text});
+    return name;
+  }
+};
+
+/// Returns the quantity that tells the loads of a table apart; null where none does, and on an axis
+/// of another key than velocity, which may be the load.
+const Distinction* loadOf(const MeasuredCurve& measured, const CurveSet& set) {
+  const auto found = std::ranges::find_if(
+      kLoads, [&](const Distinction& by) { return fewValues(measured, by).size() > 1; });
+  return set.isOfVelocity() && found != kLoads.end() ? &*found : nullptr;
+}
+
+/// Makes the series of the measured points: one for each table, or for each load and each
+/// temperature of a table. A table, and each load of it, has a colour of its own, which no pinned
+/// curve changes: points under another load than that of the scene do not lie on its curve. Each
+/// temperature has a mark. place(k, i): of point i of table k, with its row.
 template <class Place>
 void addMeasuredSeries(Diagram& diagram, const CurveSet& set, const Place& place) {
+  int colour = 0;
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
     const MeasuredCurve& measured = set.measured[k];
-    const std::vector<double> temperatures = fewTemperatures(measured);
-    for (std::size_t part = 0; part < std::max<std::size_t>(temperatures.size(), 1); ++part) {
-      DiagramSeries series;
-      series.name = measured.data.name;
-      if (!temperatures.empty())
-        series.name = message("{}, {:.4g} K", series.name, temperatures[part]);
-      series.stroke = SeriesStroke::None;
-      series.mark = kMeasuredMarks[(k + part) % kMeasuredMarks.size()];
-      series.colour = measuredColour(static_cast<int>(k));
-      for (std::size_t i = 0; i < measured.abscissas.size(); ++i)
-        if (temperatures.empty() || measured.data.points[i].temperature == temperatures[part])
-          series.points.push_back(place(k, i));
-      series.id = kMeasuredCurves - static_cast<int>(k);
-      diagram.series.push_back(std::move(series));
-    }
+    const Distinction* const load = loadOf(measured, set);
+    const std::vector<std::string> temperatures = fewValues(measured, kTemperature);
+    const std::vector<std::string> loads =
+        load ? fewValues(measured, *load) : std::vector<std::string>(1);
+    for (std::size_t i = 0; i < loads.size(); ++i, ++colour)
+      for (std::size_t j = 0; j < temperatures.size(); ++j) {
+        const MeasuredPart part{load, loads[i], temperatures[j]};
+        DiagramSeries series;
+        series.name = part.name(measured.data.name);
+        series.stroke = SeriesStroke::None;
+        series.mark =
+            kMeasuredMarks[(k + (temperatures.size() > 1 ? j : i)) % kMeasuredMarks.size()];
+        series.colour = measuredColour(colour);
+        for (std::size_t row = 0; row < measured.abscissas.size(); ++row)
+          if (part.has(measured.data.points[row])) series.points.push_back(place(k, row));
+        series.id = kMeasuredCurves - static_cast<int>(k);
+        if (!series.points.empty()) diagram.series.push_back(std::move(series));
+      }
   }
 }
 

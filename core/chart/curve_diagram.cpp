@@ -236,7 +236,7 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
   if (set.isReduced && isPhysical && set.isOfVelocity())
-    diagram.x.title = message("reduced sliding velocity a\u1D1B v at {:.4g} K",
+    diagram.x.title = message("reduced sliding velocity a\u1D1B v at {:.5g} K",
                               set.present.scene.elastomer.temperature);
 }
 
@@ -351,9 +351,13 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
   for (Message& note : theoryNotes(set)) notes.push_back(std::move(note));
+  if (showsTotal(set) && !set.pinned.empty())
+    notes.emplace_back(
+        "Measured friction holds local friction, the curves of other settings do not: with "
+        "mu_total as the vertical axis, all do.");
   for (const NamedCurve& curve : set.pinned)
     if (std::isnan(reduction(curve.scene, set)))
-      notes.push_back(message("{} is not shown: its rubber has no shift at {:.4g} K.", curve.name,
+      notes.push_back(message("{} is not shown: its rubber has no shift at {:.5g} K.", curve.name,
                               scene.elastomer.temperature));
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);

@@ -238,6 +238,10 @@ class CurveSetTable {
       CurvePoint point = pointAt(measured.abscissas[i], seen.mu);
       point.velocity = seen.velocity;
       point.muStandardError = seen.muError;
+      point.normalForce = i < measured.computed.size() && std::isnan(seen.normalForce)
+                              ? measured.computed[i].normalForce
+                              : seen.normalForce;
+      point.nominalPressure = seen.nominalPressure;
       Shared shared = present_;
       shared.reduction = measured.abscissas[i] / seen.velocity;
       if (!std::isnan(seen.temperature)) shared.temperature = seen.temperature;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
@@ -74,38 +73,6 @@ Message labelled(const FittedParameter& parameter) {
   return withRange(Message(std::string(findParameter(parameter.key)->label)), parameter);
 }
 
-/// Returns the tables with one table for each load, if there are few loads: points under another
-/// load than that of the scene do not lie on its curve.
-std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables) {
-  constexpr std::size_t kFew = 4;
-  const auto loadText = [](const MeasuredPoint& point) {
-    return std::isnan(point.normalForce) ? printedQuantity(point.nominalPressure, "Pa")
-                                         : printedQuantity(point.normalForce, "N");
-  };
-  std::vector<MeasuredCurve> parted;
-  for (const MeasuredCurve& table : tables) {
-    std::map<std::string, MeasuredCurve> parts;
-    std::vector<std::string> loads;  // in the order of the table
-    for (std::size_t i = 0; i < table.computed.size(); ++i) {
-      const MeasuredPoint& point = table.data.points[i];
-      MeasuredCurve& part = parts[loadText(point)];
-      if (part.abscissas.empty()) loads.push_back(loadText(point));
-      part.data.points.push_back(point);
-      part.abscissas.push_back(table.abscissas[i]);
-      part.computed.push_back(table.computed[i]);
-    }
-    if (parts.size() < 2 || parts.size() > kFew) {
-      parted.push_back(table);
-      continue;
-    }
-    for (const std::string& load : loads) {
-      parted.push_back(std::move(parts[load]));
-      parted.back().data.name = table.data.name + ", " + load;
-    }
-  }
-  return parted;
-}
-
 /// Returns a linear scale where a logarithmic axis would have at most one number, because it spans
 /// little more than a decade.
 AxisScale profileScale(const FittedParameter& parameter, const ObjectiveProfile& profile) {
@@ -128,7 +95,8 @@ double errorAt(const std::vector<RelativeError>& errors, double velocity) {
 }
 
 /// Returns the scene with the names of its files relative to another folder.
-Scene seenFrom(const std::string& folder, Scene scene) {
+Scene seenFrom(const std::string& given, Scene scene) {
+  const std::filesystem::path folder = std::filesystem::absolute(given);  // it may not exist yet
   const auto move = [&](std::string& name) {
     const std::filesystem::path file = scene.folder / name;
     std::error_code error;
@@ -236,9 +204,7 @@ std::vector<Message> describeFit(const Fit& fit) {
 }
 
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
-  CurveSet shown = set;
-  shown.measured = partedByLoad(set.measured);
-  DiagramSheet sheet = curveSheet(shown);
+  DiagramSheet sheet = curveSheet(set);
   std::vector<Message> values;
   for (const FittedParameter& parameter : fit.parameters) values.push_back(labelled(parameter));
   sheet.subtitle = message("{} (\u00B1 standard error)", listed(values));

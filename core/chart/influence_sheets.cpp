@@ -160,6 +160,32 @@ CurveTable stateTable(const std::vector<CutoffPoint>& points) {
 
 }  // namespace
 
+std::vector<Message> describeCutoff(const std::vector<CutoffPoint>& points) {
+  constexpr double kNegligible = 0.1;  // share of a decade
+  std::vector<Message> lines;
+  if (points.size() < 2) return lines;
+  const double half = points.back().state.mu / 2;
+  // From the whole line on towards longer waves, to the first point with less than half.
+  for (std::size_t i = points.size() - 1; i > 0; --i) {
+    const CutoffPoint &shorter = points[i], &longer = points[i - 1];
+    if (longer.state.mu > half) continue;
+    const double part = (half - longer.state.mu) / (shorter.state.mu - longer.state.mu);
+    const double wavelength =
+        longer.wavelength * std::pow(shorter.wavelength / longer.wavelength, part);
+    lines.push_back(
+        message("without waves shorter than {} friction of deformation is half as large",
+                PrintedNumber{printedQuantity(wavelength, "m", 2)}));
+    break;
+  }
+  const double share = points.back().shareOfDecade.value;
+  if (std::isfinite(share) && share > kNegligible)
+    lines.push_back(
+        message("at the shortest waves of the line, one decade of wavelengths makes {} % of "
+                "friction: shorter waves, which the line does not have, would change it",
+                printedPercent(share, 2)));
+  return lines;
+}
+
 std::string cutoffCsv(const std::vector<CutoffPoint>& points) {
   const CurveTable table = stateTable(points);
   std::string text = kWavelength.text() + "," + kShare.text() + "," + kShareError.text() + "," +

@@ -41,6 +41,9 @@ std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all
 /// friction that each decade of wavelengths makes.
 DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points);
 
+/// Returns in sentences which waves make friction: without which it is half as large, and whether
+/// shorter waves than those of the line would change it.
+std::vector<Message> describeCutoff(const std::vector<CutoffPoint>& points);
 std::string cutoffCsv(const std::vector<CutoffPoint>& points);
 std::string cutoffJson(const Scene& scene, const std::vector<CutoffPoint>& points);
 

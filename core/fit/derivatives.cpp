@@ -16,10 +16,12 @@ namespace {
 
 constexpr double kStep = 1e-3;
 
-/// Returns the keys of the numbers on which friction depends in the scene.
+/// Returns the keys of the numbers on which friction depends in the scene, with local friction,
+/// which a fit can add to a scene that has none.
 Message keysToVary(const Scene& scene) {
   std::vector<std::string_view> keys;
   for (const VariedParameter& parameter : activeParameters(scene)) keys.push_back(parameter.key());
+  if (!hasLocalFriction(scene)) keys.emplace_back("interface.friction_coefficient");
   return namesWithCommas(keys);
 }
 

@@ -16,6 +16,23 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Returns that so few lines, which are rows of the measured surface in some scenes, know their
+/// spread badly.
+Message fewLinesText(const Scene& scene, std::int64_t lines) {
+  if (mayHaveRows(scene.surface))
+    return message(
+        "the spread of the {} rows of the surface is a larger part of the errors than the points "
+        "are, and so few rows estimate it poorly: the true values may be two or three standard "
+        "errors away; a larger piece of the surface makes the errors smaller and better known",
+        lines);
+  return message(
+      "the spread of the {} random lines is a larger part of the errors than the points "
+      "are, and so few lines estimate it poorly: the true values may be two or three standard "
+      "errors away; more lines (ensemble.realizations) make the errors smaller and better "
+      "known",
+      lines);
+}
+
 class Fitting {
  public:
   Fitting(const Scene& scene, std::span<const FrictionData> data,
@@ -183,12 +200,7 @@ class Fitting {
     constexpr std::int64_t kFewLines = 50;
     const std::int64_t lines = fit_.computed.front().realizations;
     if (fit_.hasFoundPoints && fit_.isByLines && lines < kFewLines)
-      fit_.warnings.push_back(message(
-          "the spread of the {} random lines is a larger part of the errors than the points "
-          "are, and so few lines estimate it poorly: the true values may be two or three standard "
-          "errors away; more lines (ensemble.realizations) make the errors smaller and better "
-          "known",
-          lines));
+      fit_.warnings.push_back(fewLinesText(fit_.scene, lines));
     for (const ObjectiveProfile& profile : fit_.profiles) {
       const auto lowest = std::ranges::min_element(profile.chiSquared);
       if (!(*lowest < fit_.chiSquared - negligibleDecrease(fit_))) continue;

@@ -23,6 +23,9 @@ void addOneTemperature(const Material& material, std::vector<Message>& lines) {
         message("one temperature alone: there is no shift, and scenes need "
                 "elastomer.temperature={}",
                 plain(roundedToDigits(kelvin, kDigits))));
+  lines.emplace_back(
+      "a table of temperatures and log aT below the numbers in the file, or a line with C1 and C2 "
+      "above them, would be read as the shift");
 }
 
 /// Adds what is known of a series that was read as it is.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "core/base/text.h"
 #include "core/base/text_number.h"
@@ -366,6 +368,21 @@ class RoleFinder {
   ColumnRoles roles_;
 };
 
+/// A name with one number in it: "Profile 2 (left)".
+struct NumberedName {
+  std::string before{}, number{}, after{};
+};
+
+/// Returns the parts of a name; without a number in it, or with several, the number is empty.
+NumberedName numberedName(const std::string& name) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::size_t begin = name.find_first_of(kDigits);
+  if (begin == std::string::npos) return {};
+  const std::size_t end = std::min(name.find_first_not_of(kDigits, begin), name.size());
+  if (name.find_first_of(kDigits, end) != std::string::npos) return {};
+  return {name.substr(0, begin), name.substr(begin, end - begin), name.substr(end)};
+}
+
 }  // namespace
 
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
@@ -391,6 +408,29 @@ bool numbersProfiles(const TextBlock& block, std::size_t column) {
     last = number;
   }
   return true;
+}
+
+std::vector<int> profilesSideBySide(const TextBlock& block, const ColumnRoles& roles,
+                                    const SurfaceSource& source) {
+  if (roles.z < 0 || source.choices.heightColumn > 0) return {};
+  const auto at = [&](int column) -> const TextColumn& {
+    return block.columns[static_cast<std::size_t>(column)];
+  };
+  const NumberedName first = numberedName(at(roles.z).name);
+  const bool areLengths = metresPer(at(roles.z).unit).has_value();
+  if (first.number.empty() || !(areLengths || isHeightName(lowerCase(first.before)))) return {};
+  std::vector<int> found;
+  std::set<std::string> numbers;
+  for (const int column : roles.heights) {
+    const NumberedName name = numberedName(at(column).name);
+    const auto number = static_cast<std::size_t>(column);
+    if (name.before != first.before || name.after != first.after || name.number.empty() ||
+        at(column).unit != at(roles.z).unit || std::isnan(block.at(0, number)) ||
+        std::isnan(block.at(block.rows - 1, number)) || !numbers.insert(name.number).second)
+      continue;
+    found.push_back(column);
+  }
+  return found.size() > 1 && found.front() == roles.z ? found : std::vector<int>{};
 }
 
 bool isInPixels(const TextColumn& column) {

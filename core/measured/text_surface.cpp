@@ -329,6 +329,36 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
   return true;
 }
 
+/// Adds the profiles that stand side by side to a draft of the first one, as rows, and a note that
+/// says so. Does nothing where there are none, or where they have other positions.
+void addProfilesSideBySide(const TextTable& table, const TextBlock& block,
+                           const SurfaceSource& source, SurfaceDraft& draft) {
+  const std::vector<int> columns = profilesSideBySide(block, columnRoles(block, source), source);
+  if (columns.empty() || source.choices.format == "profile" || draft.grid.rows > 1) return;
+  SurfaceDraft all;
+  for (const int column : columns) {
+    ReadingChoices choices = source.choices;
+    choices.heightColumn = column + 1;
+    SurfaceDraft one = readTextProfile(
+        table, block, {source.bytes, source.name, choices, source.stop, source.progress});
+    if (column == columns.front()) {
+      all = std::move(one);
+      continue;
+    }
+    if (one.grid.columns != all.grid.columns || one.grid.columnSpacing != all.grid.columnSpacing)
+      return;
+    all.grid.height.insert(all.grid.height.end(), one.grid.height.begin(), one.grid.height.end());
+  }
+  all.grid.rows = std::ssize(columns);
+  all.grid.rowSpacing = 0;
+  all.facts.format = "matrix";
+  all.facts.notes.push_back(message(
+      "The file has {} profiles side by side, {} to {}, which are the rows of the surface: "
+      "surface.row chooses one.",
+      columns.size(), columnText(block, columns.front()), columnText(block, columns.back())));
+  draft = std::move(all);
+}
+
 /// Throws InputError where blank lines separate parts of a matrix, or several matrices, and nothing
 /// says which: neither a comment between them, nor a first column that begins anew, nor the header.
 void requireOneMatrix(std::span<const TextBlock> parts, const TextTable& table,
@@ -408,6 +438,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   if (parts > 1 && form == Form::Matrix) requireOneMatrix(tables, table, source);
   const bool areRows =
       tables.size() > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
+  if (form == Form::Profile && !areRows) addProfilesSideBySide(table, block, source, draft);
   if (joined > 1)
     draft.facts.notes.push_back(
         message("{} tables of the file follow each other along x: they are read as one.", joined));

@@ -78,7 +78,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "another temperature.",
      "T", "curves"},
     {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
-     kCurveTables},
+     "curve, curves, map, cutoff, batch"},
     {"mu_mean_of_ratios", "",
      "Mean over the lines of each line's own coefficient, which is mu; only at a constant "
      "indentation.",

@@ -38,7 +38,8 @@ constexpr std::array<NoteText, kNotes> kTexts{{
      "the profile is part of a circle, as of a tyre or a roller, which a parabola does not follow, "
      "and this form carries load: measure a shorter piece, or remove it by surface.long_wave_cut"},
     {"few_independent_rows",
-     "the rows of the surface are so much alike that they count as fewer than about ten "
+     "the rows of the surface are so few, or so much alike, that they count as fewer than about "
+     "ten "
      "independent lines: the standard error of the mean is only roughly known"},
     {"fast_enough_to_heat",
      "so much power is dissipated that the elastomer would become warmer, which is not computed"},

@@ -192,7 +192,7 @@ const std::array kTable{
 
     Parameter{"load.nominal_pressure", "nominal pressure", "p_0", "Pa", "Normal force over the area of one period and the width: F_N = p_0 L width.", kLive, {"load.kind", "pressure"},
               RealField{ASPERITY_MEMBER(load, nominalPressure), 1e-30, 1e30, 1e3, 1e7, kLog}},
-    Parameter{"load.width", "width", "", "m", "Width that turns the nominal pressure into the force on the line; results depend on it; 0: the period, the square of the reduction method.", kLive, {"load.kind", "pressure"},
+    Parameter{"load.width", "width", "w", "m", "Width that turns the nominal pressure into the force on the line; results depend on it; 0: the period, the square of the reduction method.", kLive, {"load.kind", "pressure"},
               RealField{ASPERITY_MEMBER(load, width), 0, 1e3, 1e-6, 1, kNoneOrLog}},
 
     Parameter{"sliding.kind", "motion", "", "", "How the line moves.", kLive, {},
@@ -272,7 +272,7 @@ const Parameter& knownParameter(std::string_view key) {
 
 InputError unknownKey(std::string_view key, std::string_view nearest) {
   return {"", shortened(key),
-          nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
+          nearest.empty() ? Message("unknown key; 'asperity check --help keys' lists all")
                           : message("unknown key; the nearest known one is {}", nearest)};
 }
 
@@ -291,6 +291,16 @@ std::string_view nearestKey(std::string_view key) {
     if (row.key.ends_with(start) && row.key.size() > start.size() &&
         row.key[row.key.size() - start.size() - 1] == '.')
       return row.key;
+  // A section: "surfaces".
+  if (start.find('.') == start.npos) {
+    const std::string_view section = nearestSection(start);
+    if (section == start) return {};  // a section has no value itself
+    if (!section.empty()) return section;
+  } else {
+    // The beginning of a key: "interface.friction".
+    for (const Parameter& row : kTable)
+      if (row.key.starts_with(start) && !start.ends_with('.')) return row.key;
+  }
   std::vector<std::string_view> keys;
   for (const Parameter& row : kTable) keys.push_back(row.key);
   return nearestWord(key, keys);

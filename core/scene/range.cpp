@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 
@@ -75,6 +77,17 @@ ParameterRange parseRange(std::string_view key, std::string_view text) {
     range.isLogarithmic = false;
   }
   return range;
+}
+
+double rangeEnd(const Parameter& row, const nlohmann::ordered_json& range, const std::string& where,
+                const char* member) {
+  const auto found = range.find(member);
+  if (found == range.end() || !found->is_string()) return numberMember(range, where, member);
+  try {
+    return parseNumber(row, found->get_ref<const std::string&>());
+  } catch (const InputError& error) {
+    refuseMember(where + "." + member, error.message());
+  }
 }
 
 ParameterRange parseRangeOption(const std::string& option, std::string_view text) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,11 @@ std::vector<double> linearSpaced(double from, double to, std::int64_t points);
 /// Reads "FROM:TO:N" optionally followed by ":log" or ":linear". Throws InputError with the
 /// key.
 ParameterRange parseRange(std::string_view key, std::string_view text);
+
+/// Reads an end of a range from an object {"from", "to", ...}: a number, or a text with a unit such
+/// as "1 mN". where: the object in errors. Throws InputError with the path of the member.
+double rangeEnd(const Parameter& row, const nlohmann::ordered_json& range, const std::string& where,
+                const char* member);
 
 /// Reads "KEY=FROM:TO:N". Throws InputError with the key, or with the option's name.
 ParameterRange parseRangeOption(const std::string& option, std::string_view text);

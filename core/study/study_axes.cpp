@@ -47,12 +47,23 @@ void checkValue(const Parameter& row, const ParameterValue& value, const std::st
   }
 }
 
+/// Returns the number of a text with a unit: "20 mN".
+double numberOf(const Parameter& row, const std::string& text, const std::string& where) {
+  try {
+    return parseNumber(row, text);
+  } catch (const InputError& error) {
+    refuseMember(where, error.message());
+  }
+}
+
 /// Adds a value of a list or a table to a column, which has either numbers or words.
 void addValue(StudyColumn& column, const Json& value, const std::string& where) {
   const Parameter& row = *column.row;
-  if (value.is_number() && isNumber(row)) {
-    checkValue(row, value.get<double>(), where);
-    column.numbers.push_back(value.get<double>());
+  if (isNumber(row) && (value.is_number() || value.is_string())) {
+    const double number =
+        value.is_number() ? value.get<double>() : numberOf(row, value.get<std::string>(), where);
+    checkValue(row, number, where);
+    column.numbers.push_back(number);
     return;
   }
   if (isNumber(row) || !(value.is_string() || (value.is_array() && isList(row))))
@@ -69,8 +80,8 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   const Parameter& row = *axis.columns.front().row;
   if (!isNumber(row))
     refuseMember(where, "is not a number, so it has no range; a list names its values");
-  ParameterRange range{&row, numberMember(spec, where, "from"), numberMember(spec, where, "to"), 1,
-                       false};
+  ParameterRange range{&row, rangeEnd(row, spec, where, "from"), rangeEnd(row, spec, where, "to"),
+                       1, false};
   checkValue(row, range.from, where + ".from");
   checkValue(row, range.to, where + ".to");
   const bool isPositive = range.from > 0 && range.to > 0;

@@ -314,8 +314,9 @@ const char* const kStudyFormat =
              "surface.hurst": [0.3, 0.7, 1]},
    "sampling": "grid", "outputs": ["mu", "contact_fraction", "curve.mu"]}
 A key's values are a list, a range, or {"distribution": "normal", "lognormal" or "uniform", "mean",
-"deviation"} with optional limits "from" and "to" (of uniform: the limits alone). "rows":
-"FILE.csv" in space takes keys and values from the columns of a table. sampling is grid, or with
+"deviation"} with optional limits "from" and "to" (of uniform: the limits alone). Numbers of lists
+and ends of ranges are in SI units, or texts with a unit: "1 mN". "rows": "FILE.csv" in space
+takes keys and values from the columns of a table. sampling is grid, or with
 "samples" and "seed" latin_hypercube, sobol or saltelli (for sensitivity indices: samples times the
 number of keys and two); a range then has no points. outputs are columns of a curve at the scene's
 velocity, curve.COLUMN at every value of its sweep, and what sums that curve up: fit.maximum,

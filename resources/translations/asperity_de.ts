@@ -5371,6 +5371,10 @@
         <translation>%1 fehlgeschlagen</translation>
     </message>
     <message>
+        <source>not of this run: %1, left by an earlier one</source>
+        <translation>nicht von diesem Lauf: %1, von einem früheren geblieben</translation>
+    </message>
+    <message>
         <source>one scene, %1 failed</source>
         <translation>eine Szene, davon %1 fehlgeschlagen</translation>
     </message>

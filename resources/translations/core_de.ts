@@ -243,6 +243,10 @@
         <translation>die Streuung der %1 zufälligen Linien ist ein größerer Teil der Fehler als die Punkte, und so wenige Linien schätzen sie schlecht: die wahren Werte können zwei oder drei Standardfehler entfernt sein; mehr Linien (ensemble.realizations) machen die Fehler kleiner und genauer bekannt</translation>
     </message>
     <message>
+        <source>the spread of the %1 rows of the surface is a larger part of the errors than the points are, and so few rows estimate it poorly: the true values may be two or three standard errors away; a larger piece of the surface makes the errors smaller and better known</source>
+        <translation>die Streuung der %1 Zeilen der Oberfläche ist ein größerer Teil der Fehler als die Punkte, und so wenige Zeilen schätzen sie schlecht: die wahren Werte können zwei oder drei Standardfehler entfernt sein; ein größeres Stück der Oberfläche macht die Fehler kleiner und genauer bekannt</translation>
+    </message>
+    <message>
         <source>the sum of squares is lower at %1 = %2, by %3: the fit has not reached its minimum; begin again from that value</source>
         <translation>die Summe der Quadrate ist bei %1 = %2 kleiner, um %3: Die Anpassung hat ihr Minimum nicht erreicht; mit diesem Wert neu beginnen</translation>
     </message>
@@ -1235,8 +1239,8 @@
         <translation>diese Oberfläche hat eine Linie und keine weitere Realisierung</translation>
     </message>
     <message>
-        <source>unknown key; &apos;asperity help check&apos; lists all</source>
-        <translation>unbekannter Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
+        <source>unknown key; &apos;asperity check --help keys&apos; lists all</source>
+        <translation>unbekannter Schlüssel; &apos;asperity check --help keys&apos; nennt alle</translation>
     </message>
     <message>
         <source>waves longer than %1 are all equally strong</source>
@@ -3147,8 +3151,8 @@
         <translation>das Profil ist Teil eines Kreises, wie bei einem Reifen oder einer Walze, dem eine Parabel nicht folgt, und diese Form trägt Last: ein kürzeres Stück messen, oder sie mit surface.long_wave_cut entfernen</translation>
     </message>
     <message>
-        <source>the rows of the surface are so much alike that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
-        <translation>die Zeilen der Oberfläche sind einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
+        <source>the rows of the surface are so few, or so much alike, that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
+        <translation>die Zeilen der Oberfläche sind so wenige oder einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
     </message>
     <message>
         <source>so much power is dissipated that the elastomer would become warmer, which is not computed</source>
@@ -4033,6 +4037,10 @@
     <message>
         <source>The file has %1 profiles, which are the rows of the surface: surface.row chooses one.</source>
         <translation>Die Datei hat %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
+    </message>
+    <message>
+        <source>The file has %1 profiles side by side, %2 to %3, which are the rows of the surface: surface.row chooses one.</source>
+        <translation>Die Datei hat %1 Profile nebeneinander, %2 bis %3, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
     </message>
     <message>
         <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
@@ -4921,6 +4929,26 @@
     <message>
         <source>holds a test over time: relaxation tests, G(t), and creep tests, J(t), are not read; what is read are G′ and G″ over frequency at one or several temperatures, and Prony series</source>
         <translation>enthält einen Versuch über der Zeit: Relaxationsversuche, G(t), und Kriechversuche, J(t), werden nicht gelesen; gelesen werden G′ und G″ über der Frequenz bei einer oder mehreren Temperaturen und Prony-Reihen</translation>
+    </message>
+    <message>
+        <source>a table of temperatures and log aT below the numbers in the file, or a line with C1 and C2 above them, would be read as the shift</source>
+        <translation>eine Tabelle von Temperaturen und log aT unter den Zahlen der Datei oder eine Zeile mit C1 und C2 darüber würde als Verschiebung gelesen</translation>
+    </message>
+    <message>
+        <source>there is no such file; the nearest shipped scene is %1</source>
+        <translation>es gibt keine solche Datei; die nächste mitgelieferte Szene ist %1</translation>
+    </message>
+    <message>
+        <source>Measured friction holds local friction, the curves of other settings do not: with mu_total as the vertical axis, all do.</source>
+        <translation>Gemessene Reibung enthält lokale Reibung, die Kurven anderer Einstellungen nicht: mit mu_total als senkrechter Achse enthalten sie alle.</translation>
+    </message>
+    <message>
+        <source>without waves shorter than %1 friction of deformation is half as large</source>
+        <translation>ohne Wellen kürzer als %1 ist die Reibung der Verformung halb so groß</translation>
+    </message>
+    <message>
+        <source>at the shortest waves of the line, one decade of wavelengths makes %1 % of friction: shorter waves, which the line does not have, would change it</source>
+        <translation>bei den kürzesten Wellen der Linie macht eine Dekade der Wellenlängen %1 % der Reibung aus: kürzere Wellen, welche die Linie nicht hat, würden sie ändern</translation>
     </message>
     <message>
         <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>

@@ -51,7 +51,7 @@ std::map<std::string, std::string> rowOf(const std::string& csv, const std::stri
 
 TEST_F(BatchTest, SweepsMakeAGridWithPicturesDataAndAPage) {
   write(R"({"name": "grid", "scene": "s.json", "set": {"sweep.points": 3},
-            "sweep": {"load.normal_force": {"from": 0.01, "to": 1, "points": 3},
+            "sweep": {"load.normal_force": {"from": "10 mN", "to": 1, "points": 3},
                       "surface.hurst": [0.4, 0.8]}},
            {"scene": {"surface": {"kind": "sine"}}, "show": "contact"})");
   const Said said = program.run("batch b.json -o out --json");
@@ -71,6 +71,31 @@ TEST_F(BatchTest, SweepsMakeAGridWithPicturesDataAndAPage) {
   EXPECT_THAT(read("out/results.csv"),
               HasSubstr("name,load.normal_force,surface.hurst,mu,indentation"));
   EXPECT_EQ(program.run("open out/grid_04.png --json").out, read("out/grid_04.json"));
+}
+
+/// Measured friction that the scene names is drawn and in the table, as by asperity curve, and
+/// local friction is on the page and in the table of all scenes.
+TEST_F(BatchTest, ShowsMeasuredAndLocalFriction) {
+  program.folder.write("data.csv", "velocity,mu\n0.01,0.02\n1,0.03\n");
+  write(R"({"name": "a", "scene": "s.json", "show": "curve",
+            "set": {"sweep.points": 3, "interface.friction_coefficient": 0.25,
+                    "comparison.data": [{"file": "data.csv"}]}},
+           {"name": "gone", "scene": "s.json", "show": "curve",
+            "set": {"sweep.points": 3, "comparison.data": [{"file": "gone.csv"}]}})");
+  const Said said = program.run("batch b.json -o out/new --json");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_THAT(said.err, AllOf(HasSubstr("gone: "), HasSubstr("gone.csv")));
+  EXPECT_THAT(read("out/new/a.csv"),
+              AllOf(HasSubstr("\nseries,velocity,mu"), HasSubstr("\ndata,0.01,0.02,")));
+  const auto scene = nlohmann::json::parse(said.out)["scenes"][0];
+  const double mu = scene["mu"].get<double>();
+  EXPECT_EQ(scene["mu_total"].get<double>(), mu + 0.25);
+  auto row = rowOf(read("out/new/results.csv"), "a");
+  EXPECT_NEAR(std::stod(row["mu_total"]), mu + 0.25, 1e-12);
+  EXPECT_THAT(read("out/new/index.html"), HasSubstr("<td>with local friction</td>"));
+  // The scene of the folder finds the files of the scene that it was made from.
+  const Said again = program.run("curve out/new/a.json -o again.csv");
+  EXPECT_EQ(again.status, 0) << again.err;
 }
 
 TEST_F(BatchTest, WhatShowsAllScenesNamesThemAndIsNotOpenedAsOne) {

@@ -44,7 +44,9 @@ TEST_F(CommandLineTest, AShippedSceneNeedsNoEnding) {
   const Said bare = program.run("check figure_2");
   EXPECT_EQ(bare.status, 0) << bare.err;
   EXPECT_EQ(bare.out, program.run("check figure_2.json").out);
-  expectRefused("check figure_22", 2, "figure_22: cannot be opened");
+  expectRefused("check figure_22", 2,
+                "figure_22: there is no such file; the nearest shipped scene is figure_2");
+  expectRefused("check figur_1.json", 2, "the nearest shipped scene is figure_1");
 }
 
 TEST_F(CommandLineTest, BadInputIsExitTwoAndOneClearLine) {

@@ -62,6 +62,14 @@ TEST_F(FitCommandTest, FindsTheValuesThatMadeTheData) {
   // The fitted scene runs where it stands, with its data.
   EXPECT_EQ(program.run("curve out/fitted.scene.json -o again.csv").status, 0);
   EXPECT_THAT(read("again.csv"), HasSubstr("data"));
+  // It names them from its folder, so that both can be moved together.
+  EXPECT_EQ(nlohmann::json::parse(read("out/fitted.scene.json"))["comparison"]["data"][0]["file"],
+            "../data.csv");
+  // Another fit into the same folder names the picture that it leaves.
+  const auto second = program.run(
+      "fit s.json --data data.csv --vary surface.rms_height=10nm:1mm --no-profiles -o out");
+  EXPECT_EQ(second.status, 0);
+  EXPECT_THAT(second.out + second.err, HasSubstr("not of this run: out/profiles.png"));
 }
 
 /// A table without errors of mu, under two pressures.

@@ -154,7 +154,7 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysWhatIsLeftOutAndFilled) {
 /// uses the surface says it, in its JSON, too.
 TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
   std::ostringstream table;
-  table << "x (um),z1 (um),z2 (um)\n";
+  table << "x (um),left (um),right (um)\n";
   const auto add = [&table](int i) {
     table << i << "," << std::sin(0.21 * i) << "," << std::cos(0.3 * i) << "\n";
   };

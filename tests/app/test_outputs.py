@@ -218,7 +218,9 @@ def test_chart_options_of_a_batch_without_a_chart(tmp_path):
             says="no entry of the batch shows one")
 
 
-@pytest.mark.parametrize("name", ["epdm_70", "rubber_a"])
+@pytest.mark.parametrize("name", [file.removesuffix(".json")
+                                  for file in sorted(os.listdir(f"{ROOT}/resources/materials"))
+                                  if file.endswith(".json")])
 def test_a_shipped_material_is_what_the_program_makes_of_its_measurement(name, tmp_path):
     with open(f"{ROOT}/resources/materials/{name}.json", encoding="utf-8") as file:
         shipped = json.load(file)

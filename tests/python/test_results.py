@@ -226,6 +226,11 @@ def test_a_fit_without_data_or_keys_is_refused(measured, scene_file, tmp_path):
         asperity.fit(SMALL, columns, ())
     with pytest.raises(asperity.InputError):
         asperity.fit(SMALL, {"velocity": [1, 2], "mu": [0.1, "x"]}, "elastomer.shear_modulus")
+    # A number holds in all rows; a list of another length is a mistake.
+    with pytest.raises(asperity.InputError, match="data 1: .*: velocity 2, mu 1"):
+        asperity.fit(SMALL, {"velocity": [1, 2], "mu": [0.1]}, "elastomer.shear_modulus")
+    with pytest.raises(asperity.InputError, match="elastomer.shear_modulus: .* neither None"):
+        asperity.fit(SMALL, columns, {"elastomer.shear_modulus": (1e6, 1e7, 1e8)})
 
 
 def test_pictures_are_those_of_the_program(scene_file, tmp_path):
@@ -236,6 +241,21 @@ def test_pictures_are_those_of_the_program(scene_file, tmp_path):
     run("curve", scene_file(values), "--quiet", "-o", tmp_path / "c.svg")
     assert curve.picture("svg") == (tmp_path / "c.svg").read_bytes()
     assert asperity.state(values)._repr_png_().startswith(b"\x89PNG")
+
+
+def test_a_refused_picture_is_bad_input(scene_file):
+    curve = asperity.curve({**SMALL, "sweep": {"points": 3}})
+    with pytest.raises(asperity.InputError, match="^'.bmp' is not one of"):
+        curve.picture("bmp")
+    with pytest.raises(asperity.InputError, match="^--sise: unknown option"):
+        curve.picture("png", "--sise", "1x1")
+
+
+def test_an_unknown_column_is_named_with_those_there_are():
+    curve = asperity.curve({**SMALL, "sweep": {"points": 3}})
+    with pytest.raises(KeyError, match="no column 'mue'; columns are velocity, mu,"):
+        curve["mue"]
+    assert curve.get("mue") is None and "mue" not in curve
 
 
 def test_without_the_program_there_are_tables_and_no_pictures(monkeypatch):

@@ -25,6 +25,8 @@ def test_a_file_reads_as_the_program_reads_it(scene_file):
 def test_a_shipped_scene_has_its_name():
     assert "viscoelastic" in asperity.Scene("figure_1.json")["title"]
     assert asperity.Scene("figure_1") == asperity.Scene("figure_1.json")
+    with pytest.raises(asperity.InputError, match="the nearest shipped scene is figure_2"):
+        asperity.Scene("figur_2.json")
     with pytest.raises(asperity.InputError):
         asperity.Scene("no_such_scene.json")
 

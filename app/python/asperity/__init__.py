@@ -109,8 +109,17 @@ def _assignments(values):
 
 def _input_error(key, message):
     error = InputError(f"{key}: {message}")
-    error.key, error.message = key, message
+    error.file, error.key, error.message = None, key, message
     return error
+
+
+def _nearest_scene(name):
+    """The shipped scene whose name a mistyped one is nearest to; None where none is near."""
+    import difflib
+
+    known = [file.removesuffix(".json") for file in sorted(os.listdir(_SCENES))]
+    near = difflib.get_close_matches(name.removesuffix(".json"), known, n=1, cutoff=0.8)
+    return near[0] if near else None
 
 
 class Scene:
@@ -146,6 +155,8 @@ class Scene:
             if not os.path.exists(name) and os.sep not in name and os.path.exists(shipped):
                 with open(shipped, encoding="utf-8") as file:
                     self._core = _core.Scene(file.read(), os.path.basename(shipped), "", assignments)
+            elif not os.path.exists(name) and (near := _nearest_scene(name)):
+                raise _input_error(name, f"there is no such file; the nearest shipped scene is {near}")
             else:
                 self._core = _core.Scene(name, assignments)
 
@@ -248,9 +259,9 @@ class Scene:
         return Scene(self)
 
     def __repr__(self):
-        shown = ("surface.kind", "elastomer.rheology", "load.kind", "sliding.velocity")
+        shown = ("surface.kind", "elastomer.rheology", "load.kind")
         return ("<Scene " + (repr(self["title"]) + ": " if self["title"] else "") +
-                ", ".join(str(self[key]) for key in shown if key in self) + ">")
+                ", ".join(self[key] for key in shown) + f", {self['sliding.velocity']:g} m/s>")
 
     _seconds = 0
 
@@ -815,12 +826,16 @@ class Fit:
         return f"<Fit: {values}; χ² = {self.data['chi_squared']:.4g}>"
 
 
-def _data_text(columns):
-    """A table of measured friction as text."""
+def _data_text(table, columns):
+    """A table of measured friction as text. A single value holds in all rows."""
     import numpy
 
     names = [str(name) for name in columns]
-    arrays = numpy.broadcast_arrays(*(numpy.asarray(values) for values in columns.values()))
+    arrays = [numpy.asarray(values) for values in columns.values()]
+    if len({array.shape for array in arrays if array.shape}) > 1:
+        lengths = ", ".join(f"{name} {array.size}" for name, array in zip(names, arrays))
+        raise _input_error(table, f"the columns have different numbers of values: {lengths}")
+    arrays = numpy.broadcast_arrays(*arrays)
     lines = [",".join(names)]
     for row in zip(*(array.ravel().tolist() for array in arrays)):
         lines.append(",".join(cell if isinstance(cell, str) else repr(cell) for cell in row))
@@ -830,6 +845,8 @@ def _data_text(columns):
 def _range_text(key, limits):
     if limits is None:
         return key
+    if isinstance(limits, str) or len(limits) != 2:
+        raise _input_error(key, f"{limits!r} is neither None nor (low, high)")
     low, high = (limit if isinstance(limit, str) else repr(float(limit)) for limit in limits)
     return f"{key}={low}:{high}"
 
@@ -845,7 +862,8 @@ def fit(scene, data=None, vary=(), *, profiles=True, threads=0, progress=None):
     """
     given = [] if data is None else data if isinstance(data, (list, tuple)) else [data]
     files = [os.fspath(one) for one in given if not isinstance(one, Mapping)]
-    tables = [(f"data {number + 1}", _data_text(one)) for number, one in enumerate(given)
+    names = [f"data {number + 1}" for number in range(len(given))]
+    tables = [(name, _data_text(name, one)) for name, one in zip(names, given)
               if isinstance(one, Mapping)]
     if isinstance(vary, Mapping):
         keys = [_range_text(_dotted(key), limits) for key, limits in vary.items()]

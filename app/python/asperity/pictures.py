@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import tempfile
 
-from . import Scene
+from . import InputError, Scene
 
 
 def program():
@@ -39,8 +39,8 @@ def _with_whole_paths(scene):
 def draw(verb, scene, *options, extension="png"):
     """Runs ``asperity VERB`` on the scene and returns the bytes of the picture.
 
-    Raises FileNotFoundError where the program is not installed, RuntimeError with its line where it
-    fails.
+    Raises FileNotFoundError where the program is not installed, and with the line of the program
+    InputError where it refuses the scene or an option, RuntimeError where it fails.
     """
     found = program()
     if not found:
@@ -54,7 +54,14 @@ def draw(verb, scene, *options, extension="png"):
         run = subprocess.run([found, verb, name, "-o", picture, "--quiet", *options],
                              stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         if run.returncode != 0:
-            raise RuntimeError(run.stderr.strip().replace(name + ": ", "") or "no picture was made")
+            line = run.stderr.strip().replace(name + ": ", "").replace(picture + ": ", "")
+            line = line.removeprefix("asperity: ") or "no picture was made"
+            if run.returncode != 2:
+                raise RuntimeError(line)
+            error = InputError(line)
+            error.file = error.key = None
+            error.message = line
+            raise error
         with open(picture, "rb") as file:
             return file.read()
 
@@ -74,7 +81,7 @@ def drawn_or_none(result):
     if kept is None or kept[0] != scene:
         try:
             kept = result.__dict__["_picture"] = (scene, result.picture())
-        except RuntimeError as error:
+        except (InputError, RuntimeError) as error:
             # A notebook that asked for nothing is not interrupted: the program may be another one.
             import warnings
 

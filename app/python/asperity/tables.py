@@ -18,7 +18,11 @@ class Table(Mapping):
         self._units = units or {}
 
     def __getitem__(self, name):
-        return self._columns[name]
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(f"there is no column {name!r}; columns are "
+                           f"{', '.join(self._columns)}") from None
 
     def __iter__(self):
         return iter(self._columns)

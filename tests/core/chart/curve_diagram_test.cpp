@@ -446,6 +446,34 @@ TEST(CurveDiagram, AMeasuredTableKeepsItsColourAndTellsItsTemperaturesApart) {
   }
 }
 
+/// Points under another load than that of the scene do not lie on its curve: each load of a table
+/// has a colour and its name, each temperature a mark that is the same under all loads.
+TEST(CurveDiagram, AMeasuredTableTellsItsLoadsApart) {
+  CurveSet set;
+  set.present = curveOf(shiftedScene(293.15));
+  MeasuredCurve measured;
+  measured.data.name = "friction";
+  for (const double pressure : {3.5e5, 1e5})
+    for (const double temperature : {278.15, 293.15})
+      measured.data.points.push_back(
+          {.velocity = 0.1, .mu = 0.5, .nominalPressure = pressure, .temperature = temperature});
+  set.measured = {measured};
+  placeMeasured(set);
+  std::vector<DiagramSeries> found;
+  const DiagramSheet sheet = curveSheet(set);
+  for (const DiagramSeries& series : sheet.diagrams.front().series)
+    if (series.id == kMeasuredCurves) found.push_back(series);
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[0].name.english(), "friction, 100 kPa, 278.15 K");
+  EXPECT_EQ(found[3].name.english(), "friction, 350 kPa, 293.15 K");
+  EXPECT_EQ(found[0].colour, found[1].colour);
+  EXPECT_NE(found[0].colour, found[2].colour);
+  EXPECT_EQ(found[0].mark, found[2].mark);
+  EXPECT_NE(found[0].mark, found[1].mark);
+  ASSERT_EQ(found[0].points.size(), 1U);
+  EXPECT_EQ(found[0].points[0].row, 2);
+}
+
 /// Measured friction is of deformation and interface together: so is a curve beside it.
 TEST(CurveDiagram, BesideMeasuredFrictionLocalFrictionIsShown) {
   Scene scene = smallScene();
@@ -462,8 +490,12 @@ TEST(CurveDiagram, BesideMeasuredFrictionLocalFrictionIsShown) {
   ASSERT_NE(total, diagram.series.end());
   for (std::size_t i = 0; i < total->points.size(); ++i)
     EXPECT_NEAR(total->points[i].y - set.present.points[i].mu, 0.3, 1e-12);
+  EXPECT_THAT(sheet.note.english(), testing::Not(testing::HasSubstr("mu_total")));
+  set.pinned = {curveOf(scene, "another")};
+  EXPECT_THAT(curveSheet(set).note.english(), testing::HasSubstr("mu_total"));
   set.y = CurveQuantity::MuTotal;
   const DiagramSheet together = curveSheet(set);
+  EXPECT_THAT(together.note.english(), testing::Not(testing::HasSubstr("mu_total")));
   for (const DiagramSeries& series : together.diagrams.front().series)
     if (series.id == kPresentCurve) {
       EXPECT_EQ(series.points[0].y, total->points[0].y);

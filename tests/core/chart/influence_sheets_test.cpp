@@ -26,6 +26,26 @@ TEST(SensitivitySheet, WhatMayBeZeroIsLast) {
   EXPECT_LT(diagram.x.to, 4);
 }
 
+/// Friction falls to half between cut-offs of 1 mm and 10 mm, in the middle of their logarithms.
+TEST(DescribeCutoff, SaysWhichWavesMakeFriction) {
+  std::vector<CutoffPoint> points(4);
+  const double wavelengths[] = {1e-1, 1e-2, 1e-3, 1e-4}, mu[] = {0.0, 0.2, 0.6, 0.8};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].wavelength = wavelengths[i];
+    points[i].state.mu = mu[i];
+    points[i].shareOfDecade.value = i > 0 ? (mu[i] - mu[i - 1]) / mu[3] : kNotApplicable;
+  }
+  std::vector<Message> lines = describeCutoff(points);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].english(),
+            "without waves shorter than 3.2 mm friction of deformation is half as large");
+  EXPECT_TRUE(lines[1].english().find("makes 25 % of friction: shorter waves") != std::string::npos)
+      << lines[1].english();
+  points.back().shareOfDecade.value = 0.05;
+  EXPECT_EQ(describeCutoff(points).size(), 1U);
+  EXPECT_TRUE(describeCutoff({}).empty());
+}
+
 TEST(SensitivitySheet, WhatHasNoErrorCounts) {
   EXPECT_TRUE((DiagramBar{"h", 0.1}.isSignificant()));
   EXPECT_FALSE((DiagramBar{"h", -0.1, 0.1}.isSignificant()));

@@ -91,6 +91,7 @@ TEST(MaterialSummary, AMaterialOfOneTemperatureSaysWhichScenesNeed) {
   // Degrees that were converted to kelvins are said without their rounding error.
   EXPECT_THAT(linesAt(-20 + 273.15), Contains(EndsWith("elastomer.temperature=253.15")));
   EXPECT_THAT(linesAt(298.15), Contains("one temperature alone: there is no shift"));
+  EXPECT_THAT(linesAt(298.15), Contains(testing::HasSubstr("would be read as the shift")));
 }
 
 /// Entropy elasticity, b_T = T / T_0, and repeated rows are said in the summary.

@@ -177,6 +177,46 @@ TEST(Profiles, ThatFollowEachOtherAreRows) {
               HasSubstr("'Force' in column 1 is not a number"));
 }
 
+/// Several profiles of one measurement often stand side by side, with a number in their names.
+TEST(Profiles, ThatStandSideBySideAreRows) {
+  const auto table = [](const std::string& names, bool lacksLast = false) {
+    std::string text = names + "\n";
+    for (int column = 0; column < kColumns; ++column) {
+      text += fmt::format("{}", 2 * column);
+      for (int row = 0; row < kRows; ++row)
+        text += lacksLast && row == 1 && column + 1 == kColumns
+                    ? ","
+                    : fmt::format(",{:.6f}", micrometres(row, column));
+      text += "\n";
+    }
+    return text;
+  };
+  const auto named = [](const std::string& before, const std::string& after) {
+    std::string names = "x (um)";
+    for (int row = 0; row < kRows; ++row) names += fmt::format(",{}{}{}", before, row + 1, after);
+    return names;
+  };
+  for (const auto& [before, after] : {std::pair("Profil ", " (um)"), std::pair("z", " (um)"),
+                                      std::pair("Laser ", " left (um)")}) {
+    const MeasuredFile file = read(table(named(before, after)));
+    ASSERT_EQ(file.topography.rows, kRows) << before;
+    ASSERT_EQ(file.topography.columns, kColumns) << before;
+    EXPECT_EQ(file.topography.rowSpacing, 0);
+    for (int row = 0; row < kRows; ++row)
+      EXPECT_NEAR(file.topography.at(row, 3), 1e-6 * micrometres(row, 3), 1e-15) << before;
+    EXPECT_TRUE(says(file, fmt::format("The file has {} profiles side by side, column 2", kRows)));
+    EXPECT_FALSE(says(file, "columns that could be")) << before;
+  }
+  const std::string text = table(named("z", " (um)"));
+  // The user may choose one, or a single profile.
+  EXPECT_EQ(read(text, {.heightColumn = 3}).topography.rows, 1);
+  EXPECT_EQ(read(text, {.format = "profile"}).topography.rows, 1);
+  // Other quantities, names that do not count, and profiles of other lengths are no rows.
+  EXPECT_EQ(read(table(named("Sensor ", "")), {.heightUnit = "um"}).topography.rows, 1);
+  const std::string shorter = table(named("z", " (um)"), true);
+  EXPECT_EQ(read(shorter).topography.rows, kRows - 1);
+}
+
 TEST(BlankLines, BetweenLinesOfPointsMeanNothing) {
   for (const std::string names : {"x (um),y (um),z (um)\n", ""})
     for (const double offset : {0.0, 0.01}) {

@@ -168,8 +168,9 @@ TEST_F(MaterialScene, BadMaterialsAreNamedInOneLine) {
       HasSubstr("rubber.json: elastomer.equilibrium_modulus: -1 is outside"));
   EXPECT_THAT(errorWith(R"({"schema": "asperity-material/1", "armz": []})"),
               HasSubstr("armz: unknown key of a material"));
-  EXPECT_THAT(errorOf(R"({"elastomer": {"material": "epdm"}})"),
-              HasSubstr("there is no file of this name, and epdm is not one of epdm_70, rubber_a"));
+  EXPECT_THAT(
+      errorOf(R"({"elastomer": {"material": "epdm"}})"),
+      testing::ContainsRegex("there is no file of this name, and epdm is not one of .*epdm_70"));
 }
 
 // ---- Shifts

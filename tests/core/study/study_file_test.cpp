@@ -38,6 +38,16 @@ TEST(StudyFile, ReadsAGrid) {
   EXPECT_EQ(scene.surface.hurst, 0.7);
 }
 
+/// A text with a unit is the same study as its number.
+TEST(StudyFile, NumbersMayHaveUnits) {
+  const auto digestOf = [](const std::string& from, const std::string& height) {
+    return parse(R"("space":{"load.normal_force":{"from":)" + from +
+                 R"(,"to":1,"points":4},"surface.rms_height":[)" + height + "]}")
+        .digest;
+  };
+  EXPECT_EQ(digestOf(R"("1 mN")", R"("0.5 um")"), digestOf("0.001", "5e-7"));
+}
+
 TEST(StudyFile, AFitNeedsTheCurveAndIsOneNumber) {
   const ParameterStudy study =
       parse(R"("space":{"surface.hurst":[0.3,0.7]},"outputs":["fit.maximum","fit.exponent"])");
@@ -134,7 +144,11 @@ TEST(StudyFile, MistakesAreNamed) {
       {R"("space":{"surface.hrust":[1]})", "the nearest known one is surface.hurst"},
       {R"("space":{"surface.hurst":[]})", "space.surface.hurst: has no value"},
       {R"("space":{"surface.hurst":[1.5]})", "1.5 is outside 0 to 1"},
-      {R"("space":{"surface.hurst":["a"]})", "is not allowed here"},
+      {R"("space":{"surface.hurst":["a"]})", "space.surface.hurst: 'a' is not a number"},
+      {R"("space":{"surface.hurst":[true]})", "is not allowed here"},
+      {R"("space":{"load.normal_force":["1 kg"]})", "1 kg is a mass"},
+      {R"("space":{"load.normal_force":{"from":"1 m","to":1,"points":3}})",
+       "space.load.normal_force.from: 1 m is a length"},
       {R"("space":{"surface.hurst":0.5})", "needs a list of values, a range"},
       {R"("space":{"accuracy.scheme":["quartic"]})", "is not one of nodal, linear, cubic"},
       {R"("space":{"accuracy.scheme":{"from":1,"to":2,"points":2}})", "is not a number"},

@@ -8,8 +8,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/input_error.h"
+#include "core/base/text.h"
 #include "core/scene/scene_file.h"
 
 // This function is outside of the namespace, as the resource compiler's function is.
@@ -62,14 +64,28 @@ std::optional<std::string> libraryFile(const std::string& name) {
   return file.readAll().toStdString();
 }
 
+/// Returns the shipped scene whose name a mistyped one is nearest to; empty where none is near.
+std::string nearestName(const std::string& name) {
+  std::vector<std::string> names;
+  for (const LibraryScene& entry : libraryScenes()) names.push_back(entry.name.toStdString());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string_view end = name.ends_with(".json") ? ".json" : "";
+  return std::string(
+      nearestWord(std::string_view(name).substr(0, name.size() - end.size()), known));
+}
+
 }  // namespace
 
 Scene readNamedScene(const std::string& name, const std::filesystem::path& folder,
                      const std::vector<std::string>& assignments) {
   const std::filesystem::path file = folder / name;
   std::error_code ignored;
-  if (folder == kShippedFolder || !std::filesystem::exists(file, ignored))
+  if (folder == kShippedFolder || !std::filesystem::exists(file, ignored)) {
     if (const auto shipped = libraryFile(name)) return readScene(*shipped, name, {}, assignments);
+    if (const std::string nearest = nearestName(name); !nearest.empty())
+      throw InputError(file.string(), "",
+                       message("there is no such file; the nearest shipped scene is {}", nearest));
+  }
   return readSceneFile(file, assignments);
 }
 
