@@ -18,7 +18,6 @@
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_lines.h"
-#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
@@ -144,6 +143,10 @@ void setNumberRange(CLI::Option* option, double least, double most, std::string_
 
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most) {
   setRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
+}
+
+CLI::Option* mayRepeat(CLI::Option* option) {
+  return option->take_all()->allow_extra_args(false);
 }
 
 const char* firstGiven(std::initializer_list<OptionGiven> options) {

@@ -35,6 +35,9 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit = {});
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most);
 
+/// Lets the option be given several times, with one value each time. Returns it.
+CLI::Option* mayRepeat(CLI::Option* option);
+
 /// An option and whether it is given.
 using OptionGiven = std::pair<const char*, bool>;
 

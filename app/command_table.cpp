@@ -28,7 +28,7 @@ void addColumnChoice(CLI::App* command, std::string& columns) {
 }
 
 void addOutputs(CLI::App* command, std::vector<std::string>& outputs, const char* sentence) {
-  command->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
+  mayRepeat(command->add_option("-o,--output", outputs, sentence));
 }
 
 }  // namespace
@@ -63,13 +63,16 @@ int CommandTable::run() const {
 }
 
 void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* defaultLanguage) {
+  mayRepeat(app.add_option("--set", common.assignments,
+                           "Set a scene key, e.g. --set load.normal_force=0.1; may be repeated, "
+                           "the last value of a key counts"))
+      ->type_name("KEY=VALUE");
+  addSharedWithoutScene(app, common, defaultLanguage);
+}
+
+void CommandTable::addSharedWithoutScene(CLI::App& app, CommonOptions& common,
+                                         const char* defaultLanguage) {
   common_.push_back(&common);
-  app.add_option("--set", common.assignments,
-                 "Set a scene key, e.g. --set load.normal_force=0.1; may be repeated, the last "
-                 "value of a key counts")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
   setIntegerRange(app.add_option("--threads", common.threads,
                                  "Number of threads; 0: as many as the machine has"),
                   0, 1024);
@@ -83,9 +86,16 @@ void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* d
                              languageCodes(), defaultLanguage));
 }
 
-CLI::App* CommandTable::addCommand(const char* name, const char* sentence, CommonOptions& common,
+CLI::App* CommandTable::addCommand(const char* name, const char* sentence,
                                    std::function<int()> action) {
   CLI::App* command = app_->add_subcommand(name, sentence);
+  command->callback([this, action = std::move(action)] { selected_ = action; });
+  return command;
+}
+
+CLI::App* CommandTable::addSceneCommand(const char* name, const char* sentence,
+                                        CommonOptions& common, std::function<int()> action) {
+  CLI::App* command = addCommand(name, sentence, std::move(action));
   command
       ->add_option("SCENE", common.scene,
                    "Scene file (JSON), or the name of a shipped scene (figure_1)")
@@ -93,13 +103,12 @@ CLI::App* CommandTable::addCommand(const char* name, const char* sentence, Commo
   addShared(*command, common);
   command->footer(fmt::format(
       "Keys of a scene for --set, with their ranges and units: asperity {} --help keys", name));
-  command->callback([this, action = std::move(action)] { selected_ = action; });
   return command;
 }
 
 void CommandTable::addCheck() {
-  CLI::App* command =
-      app_->add_subcommand("check", "Read scenes, check them, and print what they describe");
+  CLI::App* command = addCommand("check", "Read scenes, check them, and print what they describe",
+                                 [this] { return runCheck(check_); });
   command
       ->add_option("SCENE", check_.scenes,
                    "Scene files (JSON), names of shipped scenes, or - for standard input")
@@ -108,12 +117,12 @@ void CommandTable::addCheck() {
   command->footer(
       "Keys of a scene for --set, with their ranges and units: asperity check --help "
       "keys");
-  command->callback([this] { selected_ = [this] { return runCheck(check_); }; });
 }
 
 void CommandTable::addCurve() {
-  CLI::App* command = addCommand("curve", "Friction over velocity, averaged over the realizations",
-                                 curve_.common, [this] { return runCurve(curve_); });
+  CLI::App* command =
+      addSceneCommand("curve", "Friction over velocity, averaged over the realizations",
+                      curve_.common, [this] { return runCurve(curve_); });
   addOutputs(command, curve_.outputs,
              "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
              "or .pdf; may be repeated (default: CSV to standard output)");
@@ -128,8 +137,9 @@ void CommandTable::addCurve() {
 }
 
 void CommandTable::addMap() {
-  CLI::App* command = addCommand("map", "Friction over two parameters, as colours and as a table",
-                                 map_.common, [this] { return runMap(map_); });
+  CLI::App* command =
+      addSceneCommand("map", "Friction over two parameters, as colours and as a table", map_.common,
+                      [this] { return runMap(map_); });
   const auto side = [&](const char* option, std::string& value, const char* sentence) {
     command->add_option(option, value, sentence)->type_name("KEY=FROM:TO:N")->required();
   };
@@ -151,8 +161,8 @@ void CommandTable::addMap() {
 
 void CommandTable::addSensitivity() {
   CLI::App* command =
-      addCommand("sensitivity", "How much friction changes with each parameter of a scene",
-                 sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
+      addSceneCommand("sensitivity", "How much friction changes with each parameter of a scene",
+                      sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
   addOutputs(command, sensitivity_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
              "for people to standard output)");
@@ -160,7 +170,7 @@ void CommandTable::addSensitivity() {
 }
 
 void CommandTable::addCutoff() {
-  CLI::App* command = addCommand(
+  CLI::App* command = addSceneCommand(
       "cutoff", "Friction against the short-wave cut-off: which waves of the line make it",
       cutoff_.common, [this] { return runCutoff(cutoff_); });
   addOutputs(command, cutoff_.outputs,
@@ -170,8 +180,8 @@ void CommandTable::addCutoff() {
 }
 
 void CommandTable::addMotion() {
-  CLI::App* command = addCommand("motion", "Friction, indentation, contact and power in time",
-                                 motion_.common, [this] { return runMotion(motion_); });
+  CLI::App* command = addSceneCommand("motion", "Friction, indentation, contact and power in time",
+                                      motion_.common, [this] { return runMotion(motion_); });
   addOutputs(command, motion_.outputs,
              "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
              "or .pdf; may be repeated (default: CSV to standard output)");
@@ -194,8 +204,9 @@ void CommandTable::addMotion() {
 }
 
 void CommandTable::addRender() {
-  CLI::App* command = addCommand("render", "Pictures and films of the contact, without a screen",
-                                 render_.common, [this] { return runRender(render_); });
+  CLI::App* command =
+      addSceneCommand("render", "Pictures and films of the contact, without a screen",
+                      render_.common, [this] { return runRender(render_); });
   command
       ->add_option("-o,--output", render_.output,
                    "FILE.png, .svg, .pdf, .eps or .tif for one picture; FILE.mp4, .webm, .gif or "
@@ -250,7 +261,7 @@ void CommandTable::addRender() {
 }
 
 void CommandTable::addSurface() {
-  CLI::App* command = addCommand(
+  CLI::App* command = addSceneCommand(
       "surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
       surface_.common, [this] { return runSurface(surface_); });
   command->get_option("SCENE")->description(
@@ -270,22 +281,17 @@ void CommandTable::addSurface() {
 }
 
 void CommandTable::addFit() {
-  CLI::App* command = addCommand("fit", "Parameters of a scene that fit measured friction",
-                                 fit_.common, [this] { return runFit(fit_); });
-  command
-      ->add_option("--data", fit_.data,
-                   "Table of velocity and mu, where known with mu_error, normal_force or "
-                   "nominal_pressure, temperature, label; may be repeated")
-      ->type_name("FILE")
-      ->take_all()
-      ->allow_extra_args(false);
-  command
-      ->add_option("--vary", fit_.varied,
-                   "Key that is fitted, with limits if there are some; may be repeated")
+  CLI::App* command = addSceneCommand("fit", "Parameters of a scene that fit measured friction",
+                                      fit_.common, [this] { return runFit(fit_); });
+  mayRepeat(command->add_option("--data", fit_.data,
+                                "Table of velocity and mu, where known with mu_error, normal_force "
+                                "or nominal_pressure, temperature, label; may be repeated"))
+      ->type_name("FILE");
+  mayRepeat(command->add_option("--vary", fit_.varied,
+                                "Key that is fitted, with limits if there are some; may be "
+                                "repeated"))
       ->type_name("KEY[=LOW:HIGH]")
-      ->required()
-      ->take_all()
-      ->allow_extra_args(false);
+      ->required();
   command
       ->add_option("-o,--output", fit_.output,
                    "Folder for fit.json, fitted.scene.json, fit.csv, pictures")
@@ -297,8 +303,9 @@ void CommandTable::addFit() {
 }
 
 void CommandTable::addMaterial() {
-  CLI::App* command = app_->add_subcommand(
-      "material", "Make a material for scenes from measured moduli or a Prony series");
+  CLI::App* command =
+      addCommand("material", "Make a material for scenes from measured moduli or a Prony series",
+                 [this] { return runMaterial(material_); });
   MaterialCommand& material = material_;
   command
       ->add_option("FILE", material.common.scene,
@@ -341,16 +348,12 @@ void CommandTable::addMaterial() {
   setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
                      ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
                  0.001, 100, "K");
-  command
-      ->add_option_function<std::vector<std::string>>(
-          "--leave-out",
-          [&material](const std::vector<std::string>& values) {
-            for (const std::string& value : values)
-              material.options.emplace_back("--leave-out", value);
-          },
-          "Temperature of an isotherm that is not used; may be repeated")
-      ->take_all()
-      ->allow_extra_args(false);
+  mayRepeat(command->add_option_function<std::vector<std::string>>(
+      "--leave-out",
+      [&material](const std::vector<std::string>& values) {
+        for (const std::string& value : values) material.options.emplace_back("--leave-out", value);
+      },
+      "Temperature of an isotherm that is not used; may be repeated"));
   add("--equilibrium-modulus",
       "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
   add("--instantaneous-modulus",
@@ -371,13 +374,13 @@ void CommandTable::addMaterial() {
   addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
   addColumnChoice(command, material.columns);
   addShared(*command, material.common);
-  command->callback([this] { selected_ = [this] { return runMaterial(material_); }; });
 }
 
 void CommandTable::addFigure() {
-  CLI::App* command = app_->add_subcommand(
+  CLI::App* command = addCommand(
       "figure",
-      "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
+      "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims",
+      [this] { return runFigure(figure_); });
   std::string words;
   for (const FigureEntry& entry : figureEntries())
     words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
@@ -396,7 +399,6 @@ void CommandTable::addFigure() {
   addColumnChoice(command, figure_.columns);
   addShared(*command, figure_.common);
   command->footer("Figures:\n" + words);
-  command->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
 }
 
 void CommandTable::addOpen() {
@@ -441,20 +443,18 @@ void CommandTable::addOpen() {
 }
 
 void CommandTable::addBatch() {
-  CLI::App* command = app_->add_subcommand(
+  CLI::App* command = addCommand(
       "batch",
-      "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
+      "Run many scenes and sweeps of their keys: pictures, data and one page that shows all",
+      [this] { return runBatch(batch_); });
   command->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
   command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
   command->add_flag("--contact-sheet", batch_.contactSheet,
                     "Make contact sheets of more than 100 scenes, too");
   addPictureOptions(*command, batch_.picture, "the batch's", "light", FigurePart::Curve);
   addColumnChoice(command, batch_.columns);
-  addShared(*command, batch_.common);
-  command->remove_option(
-      command->get_option("--set"));  // each entry of the batch has its own "set"
+  addSharedWithoutScene(*command, batch_.common);  // each entry of the batch has its own "set"
   command->footer(kBatchFormat);
-  command->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
 }
 
 void CommandTable::addStudy() {
@@ -466,8 +466,7 @@ void CommandTable::addStudy() {
   const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
                           int (*work)(const StudyCommand&)) {
     CLI::App* app = study->add_subcommand(name, sentence);
-    addShared(*app, command.common);
-    app->remove_option(app->get_option("--set"));
+    addSharedWithoutScene(*app, command.common);
     app->callback(
         [this, &command, work] { selected_ = [&command, work] { return work(command); }; });
     return app;
@@ -517,8 +516,8 @@ void CommandTable::addStudy() {
 
 void CommandTable::addAccuracy() {
   CLI::App* command =
-      addCommand("accuracy", "What accuracy costs: error against time of every method",
-                 accuracy_.common, [this] { return runAccuracy(accuracy_); });
+      addSceneCommand("accuracy", "What accuracy costs: error against time of every method",
+                      accuracy_.common, [this] { return runAccuracy(accuracy_); });
   command->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")
       ->required();
   addPictureOptions(*command, accuracy_.picture, "that of the diagrams", "print",
@@ -527,9 +526,9 @@ void CommandTable::addAccuracy() {
 }
 
 void CommandTable::addExplain() {
-  CLI::App* command =
-      addCommand("explain", "The plan: what runs, what does not run and why, and the expected cost",
-                 explain_.common, [this] { return runExplain(explain_); });
+  CLI::App* command = addSceneCommand(
+      "explain", "The plan: what runs, what does not run and why, and the expected cost",
+      explain_.common, [this] { return runExplain(explain_); });
   command->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
   CLI::Option* x = command->add_option(
       "--x", explain_.x, "With --y: expected cost of 'asperity map' with this x axis");
@@ -541,27 +540,25 @@ void CommandTable::addExplain() {
 
 void CommandTable::addColumns() {
   CLI::App* command =
-      app_->add_subcommand("columns", "All columns of all tables: name, unit, meaning, equation");
-  addShared(*command, columns_);
-  command->remove_option(command->get_option("--set"));  // this command has no scene
-  command->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
+      addCommand("columns", "All columns of all tables: name, unit, meaning, equation",
+                 [this] { return runColumns(columns_); });
+  addSharedWithoutScene(*command, columns_);
 }
 
 void CommandTable::addLesson() {
-  CLI::App* command = app_->add_subcommand(
+  CLI::App* command = addCommand(
       "lesson",
-      "Lessons: what they ask, handouts for students and teachers, and the results of a class");
+      "Lessons: what they ask, handouts for students and teachers, and the results of a class",
+      [this] { return runLesson(lesson_); });
   command->add_option("LESSON", lesson_.lessons,
                       "Name of a shipped lesson, or a file (default: lists the shipped ones); or "
                       "files and folders of results, of which it prints a table");
-  addShared(*command, lesson_.common);
-  command->remove_option(command->get_option("--set"));  // its scenes are the lesson's own
+  addSharedWithoutScene(*command, lesson_.common);  // its scenes are the lesson's own
   addOutputs(command, lesson_.outputs,
              "Handout FILE.html or FILE.pdf, table of results FILE.csv; may be repeated");
   command->add_flag("--teacher", lesson_.forTeacher,
                     "The handout has the answers, as computed, and the teacher's notes");
   command->footer(kLessonFormat);
-  command->callback([this] { selected_ = [this] { return runLesson(lesson_); }; });
 }
 
 }  // namespace asperity

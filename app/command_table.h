@@ -27,8 +27,11 @@ class CommandTable {
 
  private:
   void addShared(CLI::App& app, CommonOptions& common, const char* defaultLanguage = "en");
-  CLI::App* addCommand(const char* name, const char* sentence, CommonOptions& common,
-                       std::function<int()> action);
+  void addSharedWithoutScene(CLI::App& app, CommonOptions& common,
+                             const char* defaultLanguage = "en");
+  CLI::App* addCommand(const char* name, const char* sentence, std::function<int()> action);
+  CLI::App* addSceneCommand(const char* name, const char* sentence, CommonOptions& common,
+                            std::function<int()> action);
   void addCheck();
   void addCurve();
   void addMap();

@@ -231,21 +231,16 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
           "Compute the curve in a second way on the same lines and show the difference below "
           "it and in tables: nodal, linear or cubic, points per element, lines")
       ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
-  command
-      .add_option(
-          kWith, arguments.with,
-          "Add the curve of the scene with these keys set; write a ; inside a value as \\;; may be "
-          "repeated")
-      ->type_name("KEY=VALUE[;KEY=VALUE...]")
-      ->take_all()
-      ->allow_extra_args(false);
-  command
-      .add_option(kData, arguments.data,
-                  "Show measured friction: a table of velocity and mu, where known with mu_error, "
-                  "normal_force or nominal_pressure, temperature, label; may be repeated")
-      ->type_name("FILE")
-      ->take_all()
-      ->allow_extra_args(false);
+  mayRepeat(command.add_option(
+                kWith, arguments.with,
+                "Add the curve of the scene with these keys set; write a ; inside a value as "
+                "\\;; may be repeated"))
+      ->type_name("KEY=VALUE[;KEY=VALUE...]");
+  mayRepeat(command.add_option(
+                kData, arguments.data,
+                "Show measured friction: a table of velocity and mu, where known with mu_error, "
+                "normal_force or nominal_pressure, temperature, label; may be repeated"))
+      ->type_name("FILE");
   command
       .add_option(kTheory, arguments.theory,
                   "Theories beside the curve, separated by commas: eq_11, gaussian_foundation, "

@@ -189,7 +189,7 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
         std::string(row.sentence));
     option->type_name(std::string(row.values))->group(kPictureGroup);
     if (row.repeats)
-      option->take_all()->allow_extra_args(false);
+      mayRepeat(option);
     else
       option->expected(1);
   }

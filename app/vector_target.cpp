@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/text.h"
 #include "core/contact/kernels/kernels.h"
 
 namespace asperity {

@@ -15,7 +15,6 @@
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
-#include "core/friction/ensemble.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "core/scene/range.h"

@@ -8,7 +8,6 @@
 
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
-#include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
 #include "core/scene/parameters.h"

@@ -19,7 +19,6 @@
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 #include "core/surface/measured_summary.h"
-#include "ui/chart/diagram_picture.h"
 #include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

@@ -21,7 +21,6 @@
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
-#include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
 #include "core/friction/curve_file.h"
 #include "core/run/motion_table.h"

@@ -7,7 +7,6 @@
 #include "core/accuracy/prediction.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
-#include "app/output.h"
 
 namespace asperity {
 

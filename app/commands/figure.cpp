@@ -13,7 +13,6 @@
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/text.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
@@ -21,7 +20,7 @@
 #include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/window/figures/figure_queue.h"
+#include "ui/window/figures/claim_text.h"
 
 namespace asperity {
 namespace {

@@ -4,10 +4,8 @@
 #include <algorithm>
 
 #include "app/command_line.h"
-#include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/result_files.h"
-#include "core/base/input_error.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/data_table.h"

@@ -2,7 +2,6 @@
 #include "app/command_line.h"
 #include "app/progress_bar.h"
 #include "app/result_files.h"
-#include "core/base/input_error.h"
 #include "core/chart/influence_sheets.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/provenance.h"

@@ -12,7 +12,6 @@
 #include "core/chart/curve_regions.h"
 #include "core/run/transient_diagram.h"
 #include "ui/draw/shapes.h"
-#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

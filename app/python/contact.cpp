@@ -14,7 +14,6 @@
 #include "core/run/steady_frames.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
-#include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"

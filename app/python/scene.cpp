@@ -4,7 +4,6 @@
 
 #include "app/python/module.h"
 #include "core/base/input_error.h"
-#include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "core/scene/range.h"

@@ -1698,7 +1698,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FigurePages</name>
+    <name>asperity::WindowPages</name>
     <message>
         <source>All figures</source>
         <translation>Alle Abbildungen</translation>
@@ -2096,6 +2096,37 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::HelpCommands</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch (englisch)</translation>
+    </message>
+    <message>
+        <source>About Asperity</source>
+        <translation>Über Asperity</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Asperity %1&lt;/h3&gt;</source>
+        <translation>&lt;h3&gt;Asperity %1&lt;/h3&gt;</translation>
+    </message>
+    <message>
+        <source>Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;The elements of the elastomer are independent of each other: long-range elastic coupling is not in the model.&lt;br&gt;&lt;br&gt;Free software, GPL-3.0-or-later.</source>
+        <translation>Zeigt, wie ein viskoelastisches Elastomer über eine zufällig raue starre Linie gleitet, nach Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;Die Elemente des Elastomers sind voneinander unabhängig: Eine langreichweitige elastische Kopplung ist nicht im Modell.&lt;br&gt;&lt;br&gt;Freie Software, GPL-3.0-or-later.</translation>
+    </message>
+    <message>
+        <source>The guide is not part of this build. Its text is in resources/guide.</source>
+        <translation>Das Handbuch ist nicht Teil dieses Programms. Sein Text steht in resources/guide.</translation>
+    </message>
+    <message>
+        <source>No browser opens the guide; it is the file %1.</source>
+        <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
     </message>
 </context>
 <context>
@@ -3143,63 +3174,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::MainWindow</name>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>close</source>
-        <translation>schließen</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
-        <source>Restart</source>
-        <translation>Neustart</translation>
-    </message>
-    <message>
-        <source>Sets the time to 0 and keeps the parameters</source>
-        <translation>Setzt die Zeit auf 0 und behält die Parameter</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>Tastenkürzel</translation>
-    </message>
-    <message>
-        <source>About Asperity</source>
-        <translation>Über Asperity</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Asperity[*]</source>
-        <translation>Asperity[*]</translation>
-    </message>
-    <message>
-        <source>%1[*] – Asperity</source>
-        <translation>%1[*] – Asperity</translation>
-    </message>
-    <message>
-        <source>The curve&apos;s picture is on the clipboard</source>
-        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
+    <name>asperity::MainMenus</name>
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
@@ -3252,21 +3227,60 @@
         <source>More commands</source>
         <translation>Weitere Befehle</translation>
     </message>
+</context>
+<context>
+    <name>asperity::MainWindow</name>
     <message>
-        <source>&lt;h3&gt;Asperity %1&lt;/h3&gt;</source>
-        <translation>&lt;h3&gt;Asperity %1&lt;/h3&gt;</translation>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
     </message>
     <message>
-        <source>Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;The elements of the elastomer are independent of each other: long-range elastic coupling is not in the model.&lt;br&gt;&lt;br&gt;Free software, GPL-3.0-or-later.</source>
-        <translation>Zeigt, wie ein viskoelastisches Elastomer über eine zufällig raue starre Linie gleitet, nach Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;Die Elemente des Elastomers sind voneinander unabhängig: Eine langreichweitige elastische Kopplung ist nicht im Modell.&lt;br&gt;&lt;br&gt;Freie Software, GPL-3.0-or-later.</translation>
+        <source>close</source>
+        <translation>schließen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>Sets the time to 0 and keeps the parameters</source>
+        <translation>Setzt die Zeit auf 0 und behält die Parameter</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Asperity[*]</source>
+        <translation>Asperity[*]</translation>
+    </message>
+    <message>
+        <source>%1[*] – Asperity</source>
+        <translation>%1[*] – Asperity</translation>
+    </message>
+    <message>
+        <source>The curve&apos;s picture is on the clipboard</source>
+        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Handbuch (englisch)</translation>
     </message>
     <message>
         <source>Fine step</source>
@@ -3587,14 +3601,6 @@
     <message>
         <source>accept</source>
         <translation>annehmen</translation>
-    </message>
-    <message>
-        <source>The guide is not part of this build. Its text is in resources/guide.</source>
-        <translation>Das Handbuch ist nicht Teil dieses Programms. Sein Text steht in resources/guide.</translation>
-    </message>
-    <message>
-        <source>No browser opens the guide; it is the file %1.</source>
-        <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
     </message>
     <message>
         <source>%1, row %2</source>

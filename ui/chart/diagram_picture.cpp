@@ -7,7 +7,6 @@
 
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_panel.h"
-#include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 
 namespace asperity {

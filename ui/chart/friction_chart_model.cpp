@@ -5,10 +5,8 @@
 #include <utility>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
-#include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/motion.h"
 #include "core/scene/sweep.h"
@@ -79,7 +77,7 @@ void FrictionChartModel::expect(const Scene& scene) {
   if (isOtherAxis) {
     sweptKey_ = scene.sweep.key;
     if (!scene.sweep.isOfVelocity()) axes_ = CurveAxes::Physical;
-    velocities_ = coefficients_ = {};
+    xRange_ = yRange_ = {};
   }
   fitRanges(!curve_ || isOtherAxis);
 }
@@ -95,7 +93,7 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
   curve_ = std::make_shared<const CurveUpdate>(update);
   awaitsMarker_ |= newCurve;
   if (newCurve && std::exchange(resetsAxes_, false)) {
-    coefficients_ = {};
+    yRange_ = {};
     resetsAxesWithMark_ = true;
   }
   fitRanges(newCurve);
@@ -103,7 +101,7 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
 }
 
 bool FrictionChartModel::mark(const Frame& frame) {
-  const std::pair before{velocities_, coefficients_};
+  const std::pair before{xRange_, yRange_};
   marker_ = frameMarker(frame, CurveAxes::Physical, quantity_);
   isMarkSettled_ = frame.isSettling;
   markedKey_ = frame.scene->sweep.key;
@@ -117,14 +115,14 @@ bool FrictionChartModel::mark(const Frame& frame) {
   // widened the axes.
   const bool isItsMarker = awaitsMarker_ && haveSameCurve(*curve_->scene, *frame.scene);
   if (isItsMarker) awaitsMarker_ = false;
-  if (isItsMarker && std::exchange(resetsAxesWithMark_, false)) coefficients_ = {};
+  if (isItsMarker && std::exchange(resetsAxesWithMark_, false)) yRange_ = {};
   fitRanges(isItsMarker);
-  return before == std::pair{velocities_, coefficients_};
+  return before == std::pair{xRange_, yRange_};
 }
 
 void FrictionChartModel::fitVerticalAxis() {
   reach_.reset();
-  coefficients_ = {};
+  yRange_ = {};
   fitRanges(true);
 }
 
@@ -132,7 +130,7 @@ void FrictionChartModel::setAxes(CurveAxes axes) {
   if (axes == axes_) return;
   axes_ = axes;
   reach_.reset();
-  velocities_ = coefficients_ = {};
+  xRange_ = yRange_ = {};
   fitRanges(true);
 }
 
@@ -273,10 +271,9 @@ DiagramSheet FrictionChartModel::sheet() const {
   Diagram& diagram = sheet.diagrams.front();
   const bool isUsual = set.isOfVelocity() && diagram.x.scale == AxisScale::Logarithmic &&
                        diagram.y.scale == AxisScale::Logarithmic;
-  setRange(diagram.x, velocities_.isEmpty() && isUsual ? kEmptyVelocities : velocities_);
-  setRange(diagram.y, coefficients_.isEmpty() && isUsual && isCoefficient(set.y)
-                          ? kEmptyCoefficients
-                          : coefficients_);
+  setRange(diagram.x, xRange_.isEmpty() && isUsual ? kEmptyVelocities : xRange_);
+  setRange(diagram.y,
+           yRange_.isEmpty() && isUsual && isCoefficient(set.y) ? kEmptyCoefficients : yRange_);
   if (reach_ && diagram.y.from < diagram.y.to) {
     if (reach_->from > 0 || diagram.y.scale == AxisScale::Linear)
       diagram.y.from = std::min(diagram.y.from, reach_->from);
@@ -406,19 +403,18 @@ void FrictionChartModel::fitRanges(bool newCurve) {
     addAlong(shown->x);
     up.add(height);
   }
-  velocities_ = knownRange(rangeAround(along, set.scaleOfX()), velocities_);
+  xRange_ = knownRange(rangeAround(along, set.scaleOfX()), xRange_);
   if (set.scaleOfY() == AxisScale::Linear) {
     const AxisRange needed = rangeAround(up, AxisScale::Linear);
-    coefficients_ =
-        newCurve ? knownRange(needed, coefficients_) : grownRange(coefficients_, needed);
+    yRange_ = newCurve ? knownRange(needed, yRange_) : grownRange(yRange_, needed);
     return;
   }
   const AxisRange needed = rangeAround(up, AxisScale::Logarithmic, kMarginFactor);
-  coefficients_ = steadyRange(coefficients_, neededCoefficients(needed), newCurve);
+  yRange_ = steadyRange(yRange_, neededYRange(needed), newCurve);
 }
 
 /// Before there is a curve, the axis shows some decades of friction around the marker.
-AxisRange FrictionChartModel::neededCoefficients(const AxisRange& data) const {
+AxisRange FrictionChartModel::neededYRange(const AxisRange& data) const {
   if (curve_ || axes_ == CurveAxes::Dimensionless || quantity_ != CurveQuantity::Mu) return data;
   return steadyRange(kEmptyCoefficients, data, false);
 }

@@ -125,7 +125,7 @@ class FrictionChartModel {
   bool isOnThisAxis(const Scene& scene) const;
   Message status() const;
   void fitRanges(bool newCurve);
-  AxisRange neededCoefficients(const AxisRange& data) const;
+  AxisRange neededYRange(const AxisRange& data) const;
 
   std::optional<Scene> expected_;
   std::shared_ptr<const CurveUpdate> curve_;
@@ -148,7 +148,7 @@ class FrictionChartModel {
   bool resetsAxes_ = false, resetsAxesWithMark_ = false;  // with the next curve; with its marker
   std::optional<AxisRange> concealed_;                    // ends of the vertical axis
   std::optional<AxisRange> reach_;                        // values that it contains
-  AxisRange velocities_, coefficients_;                   // decades, or values of a linear axis
+  AxisRange xRange_, yRange_;                             // decades, or values of a linear axis
 };
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include "ui/contact/contact_parts.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/theme.h"
 #include "ui/language/language.h"
 
 namespace asperity {

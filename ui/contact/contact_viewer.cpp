@@ -1,6 +1,5 @@
 #include "ui/contact/contact_viewer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "core/base/number_text.h"
-#include "core/base/text.h"
 
 namespace asperity {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/png_file.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/svg_file.h"
 #include "ui/draw/vector_shapes.h"

@@ -5,7 +5,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text_table.h"
-#include "core/material/dma_columns.h"
 #include "core/material/prony_file.h"
 #include "core/material/stated_temperature.h"
 #include "core/scene/list_text.h"

@@ -8,7 +8,7 @@
 #include "core/scene/list_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
+#include "ui/panels/controls.h"
 
 namespace asperity {
 
@@ -63,7 +63,6 @@ void ListBox::addTheories(QMenu& menu) {
           emit listGiven(listText(withTheory(scene_.comparison.theory, theory, isSelected)));
         });
     action->setToolTip(wrappedTip(translatedText(entry.range)));
-    menu.addAction(action);
   }
 }
 
@@ -78,7 +77,6 @@ void ListBox::addTables(QMenu& menu) {
     QAction* action =
         checkedEntry(menu, QStringLiteral("shown:%1").arg(i), tableName(table), true, remove);
     action->setToolTip(fromUtf8((scene_.folder / table.file).string()));
-    menu.addAction(action);
   }
   if (!menu.isEmpty()) menu.addSeparator();
   menu.addAction(tr("Add a table…"), this, &ListBox::fileRequested)->setObjectName("addTable");

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/scene/parameters.h"
-#include "ui/panels/controls.h"
+#include "ui/panels/boxes.h"
 
 class QMenu;
 

@@ -13,7 +13,6 @@
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
 #include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
 
 namespace asperity {
 

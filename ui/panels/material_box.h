@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/material/elastomer.h"
-#include "ui/panels/controls.h"
+#include "ui/panels/boxes.h"
 
 namespace asperity {
 

@@ -7,7 +7,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 
 namespace asperity {
 

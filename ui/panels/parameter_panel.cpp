@@ -15,10 +15,11 @@
 #include "core/base/input_error.h"
 #include "core/scene/essentials.h"
 #include "core/scene/parameters.h"
-#include "core/scene/sweep.h"
 #include "ui/language/translated.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_headers.h"
+#include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/panels/scene_files.h"
 

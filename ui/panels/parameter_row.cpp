@@ -16,12 +16,14 @@
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/elastomer_tables.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/material_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_text.h"
+#include "ui/panels/tips.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -137,27 +139,6 @@ void ParameterRow::setParameter(const Parameter& parameter) {
   parameter_ = parameter;
   if (slider_) slider_->setScale(SliderScale(parameter_));
   showTexts();
-}
-
-QString ParameterRow::labelText(const Parameter& parameter) {
-  return translatedText(parameter.label);
-}
-
-QString withLabels(const QString& text) {
-  static const QRegularExpression key(
-      QStringLiteral(R"(([a-z_]+(?:\.[a-z0-9_]+)+)(?:=(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?))?)"));
-  QString labelled;
-  qsizetype end = 0;
-  for (auto it = key.globalMatch(text); it.hasNext();) {
-    const QRegularExpressionMatch match = it.next();
-    const Parameter* parameter = findParameter(match.captured(1).toStdString());
-    labelled += text.mid(end, match.capturedStart() - end);
-    labelled += parameter ? inQuotes(ParameterRow::labelText(*parameter)) : match.captured();
-    if (parameter && match.hasCaptured(2))
-      labelled += " = " + textWithUnit(*parameter, match.captured(2).toDouble());
-    end = match.capturedEnd();
-  }
-  return labelled + text.mid(end);
 }
 
 /// Moves the slider. Its scale becomes longer at once where a value lies beyond it, and has its

@@ -38,9 +38,6 @@ class ParameterRow : public QWidget {
 
   const Parameter& parameter() const { return parameter_; }
 
-  /// Returns the parameter's name in the language of the window.
-  static QString labelText(const Parameter& parameter);
-
   /// Sets all texts in the language of the window.
   void showTexts();
 
@@ -138,9 +135,5 @@ class ParameterRow : public QWidget {
   QLabel* warning_ = nullptr;
   QLabel* error_ = nullptr;
 };
-
-/// Returns a text in which the keys of parameters are replaced by their quoted labels, and their
-/// values by those that the rows show: "“temperature” = 293.15 K".
-QString withLabels(const QString& text);
 
 }  // namespace asperity

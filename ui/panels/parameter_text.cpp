@@ -66,8 +66,12 @@ QString keyLine(const Parameter& parameter) {
 
 }  // namespace
 
+QString labelText(const Parameter& parameter) {
+  return translatedText(parameter.label);
+}
+
 QString labelWithSymbol(const Parameter& parameter) {
-  QString label = ParameterRow::labelText(parameter);
+  QString label = labelText(parameter);
   if (parameter.symbol.empty()) return label;
   const QString plain = fromUtf8(parameter.symbol).remove('_');
   if (label.endsWith(' ' + plain)) label.chop(plain.size() + 1);
@@ -75,17 +79,34 @@ QString labelWithSymbol(const Parameter& parameter) {
   return label + "&nbsp;&nbsp;" + symbolHtml(parameter.symbol);
 }
 
+QString withLabels(const QString& text) {
+  static const QRegularExpression key(
+      QStringLiteral(R"(([a-z_]+(?:\.[a-z0-9_]+)+)(?:=(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?))?)"));
+  QString labelled;
+  qsizetype end = 0;
+  for (auto it = key.globalMatch(text); it.hasNext();) {
+    const QRegularExpressionMatch match = it.next();
+    const Parameter* parameter = findParameter(match.captured(1).toStdString());
+    labelled += text.mid(end, match.capturedStart() - end);
+    labelled += parameter ? inQuotes(labelText(*parameter)) : match.captured();
+    if (parameter && match.hasCaptured(2))
+      labelled += " = " + textWithUnit(*parameter, match.captured(2).toDouble());
+    end = match.capturedEnd();
+  }
+  return labelled + text.mid(end);
+}
+
 QString errorWithLabel(const InputError& error) {
   if (!error.file().empty()) return translatedError(error);
   const QString text = withLabels(translatedText(error.message()));
   const Parameter* parameter = findParameter(error.key());
-  if (parameter) return ParameterRow::labelText(*parameter) + ": " + text;
+  if (parameter) return labelText(*parameter) + ": " + text;
   return error.key().starts_with("--") ? text : translatedError(error);
 }
 
 bool isFound(const Parameter& parameter, const QStringList& words, bool inSentence) {
-  const QString text = ParameterRow::labelText(parameter) + ' ' + fromUtf8(parameter.label) + ' ' +
-                       fromUtf8(parameter.key);
+  const QString text =
+      labelText(parameter) + ' ' + fromUtf8(parameter.label) + ' ' + fromUtf8(parameter.key);
   const QString sentence =
       inSentence ? translatedText(parameter.sentence) + ' ' + fromUtf8(parameter.sentence)
                  : QString();

@@ -12,9 +12,16 @@
 
 namespace asperity {
 
+/// Returns the name of a parameter.
+QString labelText(const Parameter& parameter);
+
 /// Returns "shear modulus G" as HTML; a label that ends with its symbol, "constant C1", has it
 /// once.
 QString labelWithSymbol(const Parameter& parameter);
+
+/// Returns a text in which the keys of parameters are replaced by their quoted labels, and their
+/// values by those that the rows show: "“temperature” = 293.15 K".
+QString withLabels(const QString& text);
 
 /// Returns an error with the labels of parameters instead of their keys, and without the name of an
 /// option. An error in a file names the key that is written there.

@@ -8,7 +8,6 @@
 
 #include "core/scene/essentials.h"
 #include "core/scene/parameters.h"
-#include "core/scene/sweep.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/panel_headers.h"
@@ -227,15 +226,16 @@ void RowList::arrange(const Scene& scene, const RowChoice& choice) {
     for (ParameterRow* row : section.rows) {
       const std::string_view key = row->parameter().key;
       const bool isPossible = mayBeVisible(*row, scene);
-      bool isSelected = isFiltered ? isFound(row->parameter(), words, inSentences) : choice.isWhole;
-      if (isPossible && isSelected) ++here;
-      // A scene's title differs from the default in any case.
-      if (isPossible && isSelected && row->isChanged() && !panelSection(row->parameter()).isEmpty())
-        ++changed;
-      if (!isFiltered)
-        isSelected = choice.isWhole
-                         ? isOpen
-                         : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
+      const bool isListed =
+          isFiltered ? isFound(row->parameter(), words, inSentences) : choice.isWhole;
+      if (isPossible && isListed) {
+        ++here;
+        // A scene's title differs from the default in any case.
+        if (row->isChanged() && !panelSection(row->parameter()).isEmpty()) ++changed;
+      }
+      const bool isEssential = std::ranges::find(essentials, key) != essentials.end();
+      const bool isSelected = isFiltered || choice.isWhole ? isListed && (isFiltered || isOpen)
+                                                           : isEssential || isNamed(key);
       const bool isNeeded = row->hasRemark() || fromUtf8(key) == choice.revealed;
       const bool isVisible = isPossible && (isSelected || isNeeded);
       row->setVisible(isVisible);

@@ -8,8 +8,8 @@
 #include <QToolTip>
 
 #include "core/base/number_text.h"
-#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/panel_style.h"
 
 namespace asperity {
 
@@ -103,7 +103,7 @@ QRect ValueEntry::textRect() const {
 }
 
 QString ValueEntry::shownText() const {
-  constexpr int kDigits = 6;  // significant ones of a rounded number
+  constexpr int kMostDigits = 6;  // significant ones of a rounded number
   const int width = textRect().width();
   const auto fits = [&](const QString& shown) {
     return fontMetrics().horizontalAdvance(shown) <= width;
@@ -114,7 +114,7 @@ QString ValueEntry::shownText() const {
   if (!isNumber)
     return fontMetrics().elidedText(
         text(), shownEnd_ == Qt::LeftEdge ? Qt::ElideRight : Qt::ElideLeft, width);
-  for (int digits = kDigits; digits > 1; --digits)
+  for (int digits = kMostDigits; digits > 1; --digits)
     if (const QString shown = shownNumber(roundedToDigits(value, digits)); fits(shown))
       return shown;
   return text();

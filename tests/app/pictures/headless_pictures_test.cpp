@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "core/base/input_error.h"
+#include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -29,17 +28,9 @@ DrawList picture() {
   return list;
 }
 
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// One program, one Qt application: everything in one test.
 TEST(HeadlessPictures, WriteWhatTheExtensionSays) {
-  const fs::path folder = fs::temp_directory_path() / ("asperity_app_" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const TemporaryFolder folder;
   {
     HeadlessPictures pictures;
     for (const char* name : {"a.png", "a.SVG", "a.pdf"})
@@ -48,14 +39,14 @@ TEST(HeadlessPictures, WriteWhatTheExtensionSays) {
     EXPECT_THROW(pictures.write((folder / "nowhere" / "a.svg").string(), picture()), InputError);
     pictures.finish();
   }
-  EXPECT_THAT(contents(folder / "a.png"), StartsWith("\x89PNG"));
-  const std::string svg = contents(folder / "a.SVG"), pdf = contents(folder / "a.pdf");
+  EXPECT_THAT(TemporaryFolder::read(folder / "a.png"), StartsWith("\x89PNG"));
+  const std::string svg = TemporaryFolder::read(folder / "a.SVG"),
+                    pdf = TemporaryFolder::read(folder / "a.pdf");
   EXPECT_THAT(svg, HasSubstr("<title>A title</title>"));
   EXPECT_THAT(svg, HasSubstr(">words</text>"));
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   for (const std::string& file : {svg, pdf}) EXPECT_THAT(file, HasSubstr("made by a test"));
   EXPECT_FALSE(fs::exists(folder / "a.gif"));
-  fs::remove_all(folder);
 }
 
 }  // namespace

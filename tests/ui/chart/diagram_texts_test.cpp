@@ -44,12 +44,6 @@ void expectTidySheets(const std::vector<NamedSheet>& sheets) {
     }
 }
 
-std::string allTexts(const DrawList& list) {
-  std::string words;
-  for (const DrawText& text : list.texts) words += text.utf8 + "|";
-  return words;
-}
-
 bool says(const DrawList& list, const std::string& words) {
   return ("|" + allTexts(list)).find("|" + words + "|") != std::string::npos;
 }

@@ -59,22 +59,15 @@ TEST(SurfacePicture, TextsNeverCollideNorLeaveThePicture) {
                  each.name + " " + std::to_string(size.width) + "x" + std::to_string(size.height));
 }
 
-/// All texts of a picture in one.
-std::string textsOf(const DrawList& list) {
-  std::string texts;
-  for (const DrawText& text : list.texts) texts += text.utf8 + "|";
-  return texts;
-}
-
 TEST(SurfacePicture, StatisticsHaveFourDigits) {
   Scene scene = sceneOf(SurfaceKind::Sine, 100);
   scene.surface.amplitude = 5e-7;
-  const std::string texts = textsOf(pictureOf(scene));
+  const std::string texts = allTexts(pictureOf(scene));
   for (const char* said : {"rms height h = 353.6 nm", "rms slope = 0.0001111",
                            "one period L = 20 mm", "position (mm)", "height (nm)"})
     EXPECT_NE(texts.find(said), texts.npos) << said << " in " << texts;
   EXPECT_EQ(texts.find("wave number q (1/m)"), texts.npos) << "given by a formula";
-  const std::string rough = textsOf(pictureOf(sceneOf(SurfaceKind::SelfAffine, 100)));
+  const std::string rough = allTexts(pictureOf(sceneOf(SurfaceKind::SelfAffine, 100)));
   EXPECT_NE(rough.find("wave number q (1/m)"), rough.npos);
 }
 

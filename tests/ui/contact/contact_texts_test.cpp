@@ -84,9 +84,7 @@ TEST(ContactTexts, StayTidyWithEveryReading) {
 }
 
 std::string allTexts(const Frame& frame) {
-  std::string words;
-  for (const DrawText& text : composeContact(frame, {}).texts) words += text.utf8 + "|";
-  return words;
+  return allTexts(composeContact(frame, {}));
 }
 
 TEST(ContactTexts, SayWhatIsShown) {
@@ -203,11 +201,7 @@ TEST(ContactTexts, PowerIsFrictionTimesVelocity) {
   frame.tangentialForce = 0.25;
   ContactPictureOptions picture;
   picture.overlay = ContactOverlay::Power;
-  const auto textsOf = [&] {
-    std::string words;
-    for (const DrawText& text : composeContact(frame, picture).texts) words += text.utf8 + "|";
-    return words;
-  };
+  const auto textsOf = [&] { return allTexts(composeContact(frame, picture)); };
   EXPECT_NE(textsOf().find("250 mW total, "), std::string::npos) << textsOf();  // at 1 m/s
   Scene scene = *frame.scene;
   scene.interface.frictionCoefficient = 0.25;

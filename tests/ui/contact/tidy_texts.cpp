@@ -11,6 +11,12 @@
 
 namespace asperity {
 
+std::string allTexts(const DrawList& list) {
+  std::string words;
+  for (const DrawText& text : list.texts) words += text.utf8 + "|";
+  return words;
+}
+
 QRectF inkOf(const DrawText& text) {
   const QFontMetricsF metrics(toQFont(text));
   const QString words = QString::fromStdString(text.utf8);

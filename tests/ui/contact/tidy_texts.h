@@ -1,4 +1,5 @@
-// Whether the texts of a picture lie on it and none over another. Needs a QGuiApplication.
+// The texts of a picture, and whether they lie on it and none over another. Needs a
+// QGuiApplication.
 #pragma once
 
 #include <QRectF>
@@ -7,6 +8,9 @@
 #include "ui/draw/draw_list.h"
 
 namespace asperity {
+
+/// All texts of a picture, each with a | behind it.
+std::string allTexts(const DrawList& list);
 
 /// The pixels a text covers.
 QRectF inkOf(const DrawText& text);

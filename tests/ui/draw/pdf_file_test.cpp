@@ -2,12 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
 
+#include "tests/core/temporary_folder.h"
 #include "tests/ui/chart/sample_sheets.h"
 #include "tests/ui/contact/sample_frame.h"
 #include "ui/chart/diagram_picture.h"
@@ -22,12 +22,6 @@ using testing::Not;
 
 class PdfFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("asperity_pdf_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// What a program of poppler says of a picture written as PDF.
   std::string said(const std::string& program, const DrawList& list,
                    const PdfOptions& options = {}) {
@@ -44,7 +38,7 @@ class PdfFile : public testing::Test {
     return answer;
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(PdfFile, EmbedsItsFonts) {

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <fstream>
+#include <filesystem>
 #include <random>
-#include <sstream>
 #include <stdexcept>
+
+#include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -19,18 +19,7 @@ namespace fs = std::filesystem;
 
 class PngFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("asperity_png_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  int filesInFolder() const {
-    return static_cast<int>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
-
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 /// Noise, so that it does not compress.
@@ -49,13 +38,6 @@ std::string failure(const fs::path& path, const QImage& image) {
     return error.what();
   }
   return {};
-}
-
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 /// While it lives, no file may grow beyond `bytes`: writes fail as on a full disk.
@@ -84,7 +66,7 @@ TEST_F(PngFile, IsReadBackAsItWas) {
   ASSERT_TRUE(back.load(QString::fromStdString(path.string())));
   EXPECT_EQ(back.convertToFormat(QImage::Format_ARGB32),
             picture(40).convertToFormat(QImage::Format_ARGB32));
-  EXPECT_EQ(filesInFolder(), 1);
+  EXPECT_EQ(folder_.names().size(), 1U);
 }
 
 TEST_F(PngFile, KeepsTransparencyTextsAndDensity) {
@@ -113,16 +95,16 @@ TEST_F(PngFile, ReplacesAnExistingFileAndRepeatsItsBytes) {
   const fs::path path = folder_ / "p.png";
   writePng(path, picture(10));
   writePng(path, picture(20));
-  const std::string first = contents(path);
+  const std::string first = folder_.read(path);
   writePng(path, picture(20));
-  EXPECT_EQ(contents(path), first);
-  EXPECT_EQ(filesInFolder(), 1);
+  EXPECT_EQ(folder_.read(path), first);
+  EXPECT_EQ(folder_.names().size(), 1U);
 }
 
 TEST_F(PngFile, FullDiskLeavesWhatWasThere) {
   const fs::path path = folder_ / "p.png";
   writePng(path, picture(10));
-  const std::string before = contents(path);
+  const std::string before = folder_.read(path);
   std::string message;
   {
     const SmallDisk disk(4096);
@@ -130,12 +112,12 @@ TEST_F(PngFile, FullDiskLeavesWhatWasThere) {
   }
   EXPECT_THAT(message, testing::HasSubstr("p.png"));
   EXPECT_THAT(message, testing::HasSubstr("File too large"));
-  EXPECT_EQ(contents(path), before);
-  EXPECT_EQ(filesInFolder(), 1);
+  EXPECT_EQ(folder_.read(path), before);
+  EXPECT_EQ(folder_.names().size(), 1U);
 }
 
 TEST_F(PngFile, SaysWhyItCannotBeWritten) {
-  EXPECT_THAT(failure(folder_, picture(4)), testing::HasSubstr("is a folder"));
+  EXPECT_THAT(failure(folder_.path(), picture(4)), testing::HasSubstr("is a folder"));
   EXPECT_THAT(
       failure(folder_ / "nowhere" / "p.png", picture(4)),
       testing::AllOf(testing::HasSubstr("nowhere/p.png"), testing::HasSubstr("does not exist")));
@@ -144,7 +126,7 @@ TEST_F(PngFile, SaysWhyItCannotBeWritten) {
   EXPECT_THAT(failure(folder_ / "pipe.png", picture(4)), testing::HasSubstr("not a plain file"));
   fs::remove(folder_ / "pipe.png");
   EXPECT_THAT(failure("/proc/p.png", picture(4)), testing::HasSubstr("/proc/p.png"));
-  EXPECT_EQ(filesInFolder(), 0);
+  EXPECT_EQ(folder_.names().size(), 0U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QEvent>
 #include <QMenu>
 #include <QToolButton>
 

@@ -47,7 +47,7 @@ bool isInsideOfAControl(const QWidget* widget) {
 }
 
 TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
-  window_.figures().figuresPage();
+  window_.pages().figuresPage();
   int count = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || isInsideOfAControl(widget)) continue;
@@ -61,7 +61,7 @@ TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
 
 /// Qt passes the tooltip on where a widget has no description of its own.
 TEST_F(AccessibilityTest, NoDescriptionHasMarkup) {
-  window_.figures().figuresPage();
+  window_.pages().figuresPage();
   int count = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     const QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);

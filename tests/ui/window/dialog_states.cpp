@@ -42,7 +42,6 @@
 #include "ui/window/export/export_dialog.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/fit/fit_page.h"
@@ -60,6 +59,7 @@
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/window_pages.h"
 #include "ui/window/map/map_panel.h"
 #include "ui/window/map/map_view.h"
 
@@ -513,8 +513,8 @@ class Visitor {
   // ---- Figures of the paper
 
   void figures() {
-    window_.figures().openFigures();
-    FiguresPage& page = window_.figures().figuresPage();
+    window_.pages().openFigures();
+    FiguresPage& page = window_.pages().figuresPage();
     show("figures_none", page);
     if (wishes_.hasFigures) {
       in<QSpinBox>(page, "realizations").setValue(3);
@@ -544,7 +544,7 @@ class Visitor {
         in<QPushButton>(page, "saveData").click();
       }
     }
-    window_.figures().showViews();
+    window_.pages().showViews();
   }
 
   // ---- Lessons

@@ -17,7 +17,7 @@
 #include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
-#include "ui/panels/controls.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/figures/figure_list.h"
@@ -192,7 +192,7 @@ TEST_P(WindowInEachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
 
 TEST_P(WindowInEachLanguage, NothingOfTheFiguresPageIsCutOff) {
   WindowIn window(GetParam());
-  window->figures().openFigures();
+  window->pages().openFigures();
   EXPECT_EQ(cutOffIn(*window), "");
 }
 
@@ -217,14 +217,14 @@ TEST_P(WindowInEachLanguage, NothingIsCutOffInAPresentation) {
 
   ASSERT_EQ(window->width(), 1280);
 
-  window->figures().openFigures();
-  EXPECT_EQ(cutOffIn(window->figures().figuresPage()), "");
-  const auto& list = *window->figures().figuresPage().findChild<FigureList*>();
+  window->pages().openFigures();
+  EXPECT_EQ(cutOffIn(window->pages().figuresPage()), "");
+  const auto& list = *window->pages().figuresPage().findChild<FigureList*>();
   EXPECT_GE(list.width(), list.minimumSizeHint().width());
   // The picture has all that panel and list leave, and the window does not grow for it.
   constexpr int kBorders = 8;
   EXPECT_EQ(window->width(), 1280);
-  const int picture = window->figures().figuresPage().picture().width();
+  const int picture = window->pages().figuresPage().picture().width();
   EXPECT_GE(picture, 1280 - dock.width() - list.width() - kBorders);
   EXPECT_GT(picture, std::max(dock.width(), list.width()));
 }

@@ -8,6 +8,7 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/window/main/help_commands.h"
 
 namespace asperity {
 namespace {

@@ -20,9 +20,9 @@
 #include "tests/ui/window/window_in.h"
 #include "ui/chart/chart_view.h"
 #include "ui/panels/elastomer_tables.h"
+#include "ui/window/accuracy/region_pictures.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/claims_table.h"
-#include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
@@ -172,24 +172,24 @@ TEST(LanguageSwitch, KeepsTheFiguresPage) {
   WindowIn window("en");
   window->appearance().setDark(true);
   window->resize(1920, 1080);
-  window->figures().openFigures();
-  window->figures().figuresPage().findChild<QSpinBox*>("realizations")->setValue(2);
-  window->figures().figuresPage().choose(FigureName::Exponents, true);
+  window->pages().openFigures();
+  window->pages().figuresPage().findChild<QSpinBox*>("realizations")->setValue(2);
+  window->pages().figuresPage().choose(FigureName::Exponents, true);
   const auto made = [&] {
-    return window->figures().figuresPage().queue().status(FigureName::Exponents).made != nullptr;
+    return window->pages().figuresPage().queue().status(FigureName::Exponents).made != nullptr;
   };
   ASSERT_TRUE(QTest::qWaitFor(made, 6 * kWindowPatience));
-  const auto claims = [&] { return window->figures().figuresPage().findChild<ClaimsTable*>(); };
+  const auto claims = [&] { return window->pages().figuresPage().findChild<ClaimsTable*>(); };
   ASSERT_GT(claims()->rowCount(), 1);
   claims()->selectRow(1);
   std::vector<int> heights;
   for (int row = 0; row < claims()->rowCount(); ++row) heights.push_back(claims()->rowHeight(row));
 
   window->setLanguage("de");
-  EXPECT_EQ(window->figures().figuresPage().findChild<QSpinBox*>("realizations")->value(), 2);
+  EXPECT_EQ(window->pages().figuresPage().findChild<QSpinBox*>("realizations")->value(), 2);
   EXPECT_EQ(claims()->unfolded(), 1);
   window->setLanguage("en");
-  EXPECT_EQ(window->figures().figuresPage().chosen(), FigureName::Exponents);
+  EXPECT_EQ(window->pages().figuresPage().chosen(), FigureName::Exponents);
   EXPECT_EQ(claims()->unfolded(), 1);
   const auto haveTheirHeights = [&] {
     for (int row = 0; row < claims()->rowCount(); ++row)
@@ -203,12 +203,12 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   WindowIn window("en");
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
-  window->figures().openFigures();
-  FigureQueue* figures = &window->figures().figuresPage().queue();
+  window->pages().openFigures();
+  FigureQueue* figures = &window->pages().figuresPage().queue();
   window->setLanguage("de");
-  EXPECT_TRUE(window->figures().isShowingFigures());
-  EXPECT_EQ(&window->figures().figuresPage().queue(), figures);
-  window->figures().showViews();
+  EXPECT_TRUE(window->pages().isShowingFigures());
+  EXPECT_EQ(&window->pages().figuresPage().queue(), figures);
+  window->pages().showViews();
   EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
 
   Scene empty = smallScene();
@@ -248,13 +248,13 @@ TEST(LanguageSwitch, KeepsTheMeasuredComparisonOfMethods) {
   WindowIn window("en");
   auto* pictures = window->findChild<RegionPictures*>("regionPictures");
   ASSERT_TRUE(pictures);
-  auto made = std::make_shared<ComputedFigure>();
-  made->figure.sheet.diagrams.resize(2);
-  made->figure.sheet.diagrams[0].title = "region I: here";
-  made->figure.sheet.diagrams[1].title = "region II: there";
-  pictures->showFigure(made);
+  DiagramSheet sheet;
+  sheet.diagrams.resize(2);
+  sheet.diagrams[0].title = "region I: here";
+  sheet.diagrams[1].title = "region II: there";
+  pictures->showSheet(sheet);
   window->setLanguage("de");
-  EXPECT_EQ(pictures->figure(), made);
+  EXPECT_TRUE(pictures->hasSheet());
   EXPECT_TRUE(pictures->findChild<QToolButton*>("region:1"));
 }
 

@@ -20,7 +20,6 @@
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/contact/contact_canvas.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
@@ -30,6 +29,7 @@
 #include "ui/window/main/session.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/main/window_pages.h"
 
 namespace asperity {
 

@@ -395,7 +395,7 @@ TEST_F(RandomInputTest, NothingCrashesAndASceneRunsAfterwards) {
   EXPECT_GT(done, 50);
 
   window_.show();
-  window_.figures().showViews();
+  window_.pages().showViews();
   window_.lessons().end();
   window_.document().endTrial();
   window_.document().open(Scene{});

@@ -34,7 +34,7 @@
 #include <algorithm>
 
 #include "core/scene/parameters.h"
-#include "ui/panels/controls.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/parameter_panel.h"
 
 namespace asperity {

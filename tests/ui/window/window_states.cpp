@@ -20,7 +20,6 @@
 #include "ui/chart/chart_view.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
@@ -28,6 +27,7 @@
 #include "ui/window/main/session.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/main/window_pages.h"
 
 namespace asperity {
 
@@ -285,7 +285,7 @@ void leaveState(MainWindow& window, const WindowState& state) {
   state.leave(window);
   closeDialogs();
   endTour(window);
-  window.figures().showViews();
+  window.pages().showViews();
   window.findChild<QLineEdit*>("parameterFilter")->clear();
   window.panel().setView(ParameterPanel::defaultView());
   window.panel().clearErrors();

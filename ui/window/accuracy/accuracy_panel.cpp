@@ -1,5 +1,6 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -9,22 +10,20 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/base/number_text.h"
 #include "core/run/motion_accuracy.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/accuracy/comparison_box.h"
+#include "ui/window/accuracy/region_pictures.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
 
@@ -76,21 +75,6 @@ class ControlColumn : public QScrollArea {
 
 QString comparingText() {
   return AccuracyPanel::tr("measuring every method on this scene's lines …");
-}
-
-/// Returns a maker of this scene's diagram, which is shown where a figure of the paper would be.
-FigureMaker comparisonMaker(const Scene& scene) {
-  return [scene](FigureName, const FigureOptions& options) {
-    WorkPrecisionOptions measured;
-    measured.lines = 3;
-    measured.repeats = 3;
-    measured.stop = options.stop;
-    measured.progress = options.progress;
-    Figure figure;
-    figure.scene = scene;
-    figure.sheet = workPrecisionSheet(workPrecision(scene, measured));
-    return figure;
-  };
 }
 
 }  // namespace
@@ -175,7 +159,7 @@ void AccuracyPanel::changeEvent(QEvent* event) {
   if (measuredCurve_) showMeasured(*measuredCurve_);
   if (isComparing_) {
     picture_->showText(comparingText());
-  } else if (!picture_->figure()) {
+  } else if (!picture_->hasSheet()) {
     pictured_.reset();
     showInvitation();
   }
@@ -298,16 +282,19 @@ void AccuracyPanel::compareMethods() {
   setComparing(true);
   pictured_ = scene_;
   picture_->showText(comparingText());
-  const auto progressed = [this](double part) {
-    compare_->setText(tr("Cancel (%1 %)").arg(std::lround(100 * part)));
-  };
   comparison_.request(
-      [scene = scene_, progressed](const BackgroundWork::Run& run) {
-        return computeFigure(run, comparisonMaker(scene), {}, 0, progressed);
+      [this, scene = scene_](const BackgroundWork::Run& run) {
+        WorkPrecisionOptions options;
+        options.lines = 3;
+        options.repeats = 3;
+        options.stop = run.stop();
+        options.progress = run.percents(
+            [this](int percent) { compare_->setText(tr("Cancel (%1 %)").arg(percent)); });
+        return workPrecisionSheet(workPrecision(scene, options));
       },
-      [this](std::shared_ptr<const ComputedFigure> made) {
+      [this](const DiagramSheet& sheet) {
         setComparing(false);
-        picture_->showFigure(std::move(made));
+        picture_->showSheet(sheet);
         dropOldPicture();  // the scene may have changed meanwhile
       },
       [this](const QString& reason) {

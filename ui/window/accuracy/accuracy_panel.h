@@ -11,7 +11,7 @@
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_difference.h"
 #include "core/scene/scene.h"
-#include "ui/contact/contact_picture.h"
+#include "ui/draw/theme.h"
 #include "ui/window/tasks/background_work.h"
 
 class QLabel;

@@ -10,7 +10,7 @@
 
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 

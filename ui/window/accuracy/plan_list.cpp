@@ -1,14 +1,12 @@
 #include "ui/window/accuracy/plan_list.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <algorithm>
 
 #include "core/base/input_error.h"
 #include "core/scene/plan.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/parameter_row.h"
 #include "ui/panels/parameter_text.h"
 
 namespace asperity {

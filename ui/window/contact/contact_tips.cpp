@@ -1,10 +1,9 @@
 #include "ui/window/contact/contact_tips.h"
 
 #include "core/scene/parameters.h"
-#include "core/scene/sweep.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/contact/contact_canvas.h"
 
 namespace asperity {
@@ -34,8 +33,7 @@ ContactTip signTip(const ContactSign& sign, Rheology rheology) {
   // The words beside the arrow of the velocity say what the line does, not what the arrow is.
   const Parameter* parameter =
       sign.handle == ContactHandle::Velocity ? findParameter(sign.id) : nullptr;
-  const QString title =
-      parameter ? ParameterRow::labelText(*parameter) : QString::fromStdString(sign.name);
+  const QString title = parameter ? labelText(*parameter) : QString::fromStdString(sign.name);
   const auto explanation = findExplanation(sign.id);
   if (!explanation) return {wrappedTip(sentence), {}};
   return {explanationHtml(withFormulaFor(*explanation, rheology), title, sentence),
@@ -47,7 +45,7 @@ ContactTip signTip(const ContactSign& sign, Rheology rheology) {
 QString draggedText(ContactHandle handle, const Scene& scene) {
   const Parameter parameter = parameterIn(knownParameter(draggedKey(handle, scene)), scene);
   const double value = std::get<double>(parameterValue(parameter, scene));
-  return ParameterRow::labelText(parameter) + ": " + quantityLabel(value, parameter.unit, 4);
+  return labelText(parameter) + ": " + quantityLabel(value, parameter.unit, 4);
 }
 
 ContactHandle contactHandleAt(const Frame& frame, const ContactPictureOptions& options,

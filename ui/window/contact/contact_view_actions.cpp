@@ -74,9 +74,8 @@ class ViewActions {
     ViewActions colours = addMenu("overlayMenu", QT_TR_NOOP("Colour by"));
     auto* group = new QActionGroup(&canvas_);
     for (const auto& [overlay, text, tip] : kChoices) {
-      const std::string_view word = choiceWord(kContactOverlays, overlay);
       QAction* action =
-          checkedEntry(*group, "overlay:" + QString::fromUtf8(word.data()), {},
+          checkedEntry(*group, "overlay:" + fromUtf8(choiceWord(kContactOverlays, overlay)), {},
                        overlay == canvas_.viewer().overlay(),
                        [&canvas = canvas_, o = overlay](bool) { canvas.setOverlay(o); });
       keepTexts(*action, text, tip ? tip : text);

@@ -20,6 +20,7 @@
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/tips.h"
 #include "ui/window/figures/diagram_view.h"
 
 namespace asperity {

@@ -21,7 +21,9 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/tips.h"
 
 namespace asperity {
 

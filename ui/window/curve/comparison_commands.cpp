@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/chart/fit_report.h"
 #include "core/friction/theories/theory.h"
 #include "core/scene/list_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/list_box.h"
-#include "ui/panels/number_text.h"
 #include "ui/window/fit/fit_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
@@ -77,7 +74,6 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
     QAction* action = checkedEntry(
         *theories_, "theory:" + theoryWord(entry.theory), {}, false,
         [this, theory = entry.theory](bool isSelected) { takeTheory(theory, isSelected); });
-    theories_->addAction(action);
     keepTranslated(*theories_, [action, &entry] {
       action->setText(capitalized(translatedText(entry.name)));
       action->setToolTip(wrappedTip(translatedText(entry.range)));

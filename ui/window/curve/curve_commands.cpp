@@ -15,7 +15,6 @@
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
 #include "ui/chart/diagram_picture.h"
@@ -25,6 +24,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/panel_style.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/session.h"
@@ -208,7 +208,6 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
                      capitalized(plainTitle(translatedText(parameterTitle(row.key)))),
                      row.key == scene.sweep.key, [choose, &row](bool) { choose(row); });
     action->setCheckable(&menu == keys_);
-    menu.addAction(action);
   };
   std::string_view section;
   for (const Parameter* row : axisKeys()) {
@@ -227,11 +226,9 @@ void CurveCommands::addFamilySizes() {
   family_->addSeparator();
   QMenu* sizes = family_->addMenu(tr("Curves in a family: %1").arg(familySize_));
   sizes->setObjectName("familySizes");
-  for (int size = kMin; size <= kMax; ++size) {
-    sizes->addAction(checkedEntry(*sizes, QStringLiteral("familySize:%1").arg(size),
-                                  QString::number(size), size == familySize_,
-                                  [this, size](bool) { familySize_ = size; }));
-  }
+  for (int size = kMin; size <= kMax; ++size)
+    checkedEntry(*sizes, QStringLiteral("familySize:%1").arg(size), QString::number(size),
+                 size == familySize_, [this, size](bool) { familySize_ = size; });
 }
 
 std::vector<const Parameter*> CurveCommands::axisKeys() const {
@@ -246,12 +243,11 @@ std::vector<const Parameter*> CurveCommands::axisKeys() const {
 
 void CurveCommands::fillQuantities() {
   quantities_->clear();
-  for (const QuantityEntry& entry : quantityEntries()) {
-    quantities_->addAction(checkedEntry(
-        *quantities_, "quantity:" + QString::fromStdString(entry.word.text()),
-        capitalized(translatedText(entry.title)), session_.friction().quantity() == entry.quantity,
-        [this, quantity = entry.quantity](bool) { chooseQuantity(quantity); }));
-  }
+  for (const QuantityEntry& entry : quantityEntries())
+    checkedEntry(*quantities_, "quantity:" + QString::fromStdString(entry.word.text()),
+                 capitalized(translatedText(entry.title)),
+                 session_.friction().quantity() == entry.quantity,
+                 [this, quantity = entry.quantity](bool) { chooseQuantity(quantity); });
 }
 
 void CurveCommands::chooseQuantity(CurveQuantity quantity) {
@@ -331,8 +327,7 @@ void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
   nlohmann::ordered_json origin = curveOrigin(set);
   const std::string extension = file.extension().string();
   if (extension == ".csv")
-    return writeFileAtomically(file,
-                               "# asperity: " + provenanceLine(origin) + "\n" + curveSetCsv(set));
+    return writeFileAtomically(file, provenanceComment(origin) + curveSetCsv(set));
   if (extension != ".png" && extension != ".svg" && extension != ".pdf")
     throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf", ".csv"});
   nameLanguage(origin);

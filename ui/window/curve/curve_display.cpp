@@ -16,6 +16,7 @@
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve/curve_commands.h"

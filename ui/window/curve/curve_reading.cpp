@@ -10,7 +10,6 @@
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
 
 namespace asperity {
 

@@ -10,10 +10,10 @@
 #include "core/friction/short_wave_cutoff.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
-#include "core/scene/sweep.h"
 #include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/window/figures/diagram_view.h"
 

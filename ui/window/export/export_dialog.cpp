@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
 #include "ui/window/main/file_dialogs.h"

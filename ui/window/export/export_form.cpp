@@ -17,8 +17,8 @@
 #include "core/paper/figure.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/number_text.h"
 #include "ui/window/figures/figure_queue.h"
 
 namespace asperity {

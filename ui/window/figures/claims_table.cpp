@@ -11,8 +11,8 @@
 
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
-#include "ui/panels/controls.h"
-#include "ui/window/figures/figure_queue.h"
+#include "ui/panels/labels.h"
+#include "ui/window/figures/claim_text.h"
 
 namespace asperity {
 

@@ -13,7 +13,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "ui/chart/chart_panel.h"
+#include "ui/chart/chart_style.h"
 #include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"

@@ -11,7 +11,7 @@
 
 #include "core/chart/diagram.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/contact/contact_picture.h"
+#include "ui/draw/theme.h"
 #include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 

@@ -8,8 +8,7 @@
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/controls.h"
-#include "ui/panels/number_text.h"
+#include "ui/panels/labels.h"
 
 namespace asperity {
 

@@ -1,24 +1,23 @@
 #include "ui/window/figures/figure_queue.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 #include <thread>
 #include <utility>
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/figure_drawing.h"
 #include "ui/draw/picture_file.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
 
 namespace asperity {
 
+namespace {
+
+/// Makes a figure in the background. `progressed` is called on the window's thread with the
+/// finished part, in steps of a thousandth or more. One processor is left for the window.
 std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
                                                     const FigureMaker& maker, FigureName name,
                                                     std::int64_t realizations,
@@ -37,6 +36,8 @@ std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& r
   made.contact = contactFrame(made.figure);
   return std::make_shared<const ComputedFigure>(std::move(made));
 }
+
+}  // namespace
 
 QString figureFile(FigureName name, const QString& extension) {
   return "figure_" + fromUtf8(figureEntry(name).word) + extension;
@@ -57,35 +58,6 @@ void writeFigureData(const std::filesystem::path& file, const ComputedFigure& ma
     writeFileAtomically(file, claimsJson({&made.figure, 1}));
   else
     throw unknownExtension(file.string(), extension, {".csv", ".json"});
-}
-
-// ---- Verdicts
-
-QString verdictText(const Claim& claim) {
-  if (claim.holds == Verdict::OnlyForScheme)
-    return QString::fromStdString(
-        filled(Words::tr("only for scheme %1"), {translated(claim.scheme)}));
-  if (claim.holds == Verdict::Undecided) return QString::fromStdString(Words::tr("undecided"));
-  return QString::fromStdString(claim.holds == Verdict::Yes ? Words::tr("yes") : Words::tr("no"));
-}
-
-QString estimateText(const Estimate& estimate) {
-  const double error = estimate.standardError;
-  const double size = std::max(std::abs(estimate.value), error);
-  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0)
-    return readingLabel(estimate.value);
-  if (size >= 1e5 || size < 1e-3) {  // one power of ten for both numbers
-    const int power = static_cast<int>(std::floor(std::log10(size)));
-    const double unit = std::pow(10, power);
-    return '(' + estimateText({estimate.value / unit, error / unit}) + QStringLiteral(")×") +
-           QString::fromStdString(powerOfTen(power));
-  }
-  // An uncertainty that begins with 1 has two digits, any other one has one.
-  const int exponent = static_cast<int>(std::floor(std::log10(error)));
-  const int digits = error / std::pow(10, exponent) < 1.95 ? 1 - exponent : -exponent;
-  const int decimals = std::clamp(digits, 0, 6);
-  return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
-                    QStringLiteral(" ± ") + QString::number(error, 'f', decimals));
 }
 
 // ---- All figures

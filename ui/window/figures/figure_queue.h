@@ -1,13 +1,12 @@
-// The paper's figures in the window: one figure with its picture's data, made in the background,
-// its files, with the same names as on the command line, and its verdicts as texts; and the state
-// of all figures in this session: which are made, which one is being computed and how far it is,
-// which ones wait. Figures are computed one at a time, in the order of the requests, and kept until
-// the program ends. Threading: a figure is made on the thread of a BackgroundWork; the result is
-// immutable. Files may be written on any thread, but PNG not on the GUI thread, which it would
-// block for a while. Texts are pure once the language is chosen. FigureQueue: GUI thread; owned by
-// the page of the figures. Failure: StopRequested where the work was stopped, otherwise the errors
-// of makeFigure, which become one sentence in the figure's status; InputError for another extension
-// and std::runtime_error where a file cannot be drawn or written.
+// The paper's figures in the window: each with its picture's data, its name and its files, which
+// are named as on the command line; and the state of all figures in this session: which are made,
+// which one is being computed and how far it is, which ones wait. Figures are computed one at a
+// time, in the order of the requests, and kept until the program ends. Threading: a figure is made
+// on the thread of a BackgroundWork; the result is immutable. Files may be written on any thread,
+// but PNG not on the GUI thread, which it would block for a while. FigureQueue: GUI thread; owned
+// by the page of the figures. Failure: the errors of makeFigure become one sentence in the figure's
+// status; InputError for another extension and std::runtime_error where a file cannot be drawn or
+// written.
 #pragma once
 
 #include <QObject>
@@ -20,7 +19,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/paper/claim.h"
 #include "core/paper/figure.h"
 #include "core/run/frame.h"
 #include "ui/language/language.h"
@@ -34,15 +32,8 @@ struct ComputedFigure {
   std::shared_ptr<const Frame> contact;  // of a figure without diagrams, which shows a contact
 };
 
-/// The function makeFigure, or another one in tests or for another diagram.
+/// The function makeFigure, or another one in tests.
 using FigureMaker = std::function<Figure(FigureName, const FigureOptions&)>;
-
-/// Makes a figure in the background. `progressed` is called on the window's thread with the
-/// finished part, in steps of a thousandth or more. One processor is left for the window.
-std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
-                                                    const FigureMaker& maker, FigureName name,
-                                                    std::int64_t realizations,
-                                                    const std::function<void(double)>& progressed);
 
 /// Returns the file name, for example "figure_5.csv" for ".csv".
 QString figureFile(FigureName name, const QString& extension);
@@ -53,12 +44,6 @@ void writeFigurePicture(const std::filesystem::path& file, const ComputedFigure&
 
 /// Writes the table (.csv) or the claims (.json). Throws the same errors.
 void writeFigureData(const std::filesystem::path& file, const ComputedFigure& made);
-
-/// Returns "yes", "no", "undecided", or "only for scheme ...".
-QString verdictText(const Claim& claim);
-
-/// Returns "1.26 ± 0.04", with the digits that the uncertainty allows; three where there is none.
-QString estimateText(const Estimate& estimate);
 
 /// Returns the short name: "Figure 3", "Master curve", "Spacing".
 QString figureLabel(FigureName name);

@@ -17,7 +17,7 @@
 
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/number_text.h"
+#include "ui/panels/panel_style.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
@@ -72,9 +72,7 @@ FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
     : QWidget(parent), queue_(new FigureQueue(std::move(maker), this)) {
   setObjectName("figuresPage");
   messages_ = new MessageBar;
-  auto* splitter = new QSplitter(Qt::Horizontal);
-  splitter->setHandleWidth(1);
-  splitter->setChildrenCollapsible(false);
+  auto* splitter = thinSplitter(Qt::Horizontal);
   splitter->addWidget(makeLeft());
   splitter->addWidget(makeRight());
   splitter->setStretchFactor(0, 0);
@@ -157,14 +155,16 @@ QWidget* FiguresPage::makeChoices() {
   presets->setSpacing(6);
   addButton(
       *presets, "quick", [] { return tr("&Quick"); },
-      [] { return tr("%1 realizations").arg(kQuick); }, &FiguresPage::chooseQuick);
+      [] { return tr("%1 realizations").arg(kQuick); },
+      [this] { realizations_->setValue(kQuick); });
   addButton(
       *presets, "paper", [] { return tr("Pap&er"); },
-      [] { return tr("%1 realizations, as in the paper").arg(kPaper); }, &FiguresPage::choosePaper);
+      [] { return tr("%1 realizations, as in the paper").arg(kPaper); },
+      [this] { realizations_->setValue(kPaper); });
   presets->addStretch(1);
   addButton(
       *presets, "computeAll", [] { return tr("Compute &all"); },
-      [] { return tr("All figures, one after another"); }, &FiguresPage::computeAll);
+      [] { return tr("All figures, one after another"); }, [this] { computeAll(); });
   column->addLayout(presets);
   return choices;
 }
@@ -172,9 +172,7 @@ QWidget* FiguresPage::makeChoices() {
 QWidget* FiguresPage::makeRight() {
   picture_ = new FigurePicture;
   claims_ = new ClaimsTable;
-  auto* splitter = new QSplitter(Qt::Vertical);
-  splitter->setHandleWidth(1);
-  splitter->setChildrenCollapsible(false);
+  auto* splitter = thinSplitter(Qt::Vertical);
   splitter->addWidget(picture_);
   splitter->addWidget(claims_);
   splitter->setStretchFactor(0, 7);
@@ -196,10 +194,10 @@ QWidget* FiguresPage::makeCommands() {
   compute_ = addButton(
       *row, "compute", [] { return tr("&Compute"); },
       [] { return tr("Computes this figure from new lines (Enter in the list)"); },
-      &FiguresPage::compute);
+      [this] { compute(); });
   cancel_ = addButton(
       *row, "cancel", [] { return tr("Ca&ncel"); },
-      [] { return tr("Stops this computation and all that wait"); }, &FiguresPage::cancel);
+      [] { return tr("Stops this computation and all that wait"); }, [this] { queue_->cancel(); });
   progress_ = named<QProgressBar>("figureProgress");
   progress_->setRange(0, kSteps);
   progress_->setFormat(QStringLiteral("%p %"));
@@ -211,26 +209,26 @@ QWidget* FiguresPage::makeCommands() {
   openScene_ = addButton(
       *row, "openAsScene", [] { return tr("&Open as scene"); },
       [] { return tr("This figure's parameters in the window, to play with"); },
-      &FiguresPage::openScene);
+      [this] { emit sceneRequested(shown_->figure.scene); });
   savePicture_ = addButton(
       *row, "savePicture", [] { return tr("Save &picture…"); },
-      [] { return tr("PNG, SVG or PDF"); }, &FiguresPage::askPicture);
+      [] { return tr("PNG, SVG or PDF"); }, [this] { askPicture(); });
   saveData_ = addButton(
       *row, "saveData", [] { return tr("Save &data…"); },
-      [] { return tr("The table as CSV, or the claims as JSON"); }, &FiguresPage::askData);
+      [] { return tr("The table as CSV, or the claims as JSON"); }, [this] { askData(); });
   keepTranslated(*progress_,
                  [this] { progress_->setAccessibleName(tr("progress of the computation")); });
   return commands;
 }
 
 QPushButton* FiguresPage::addButton(QLayout& row, const char* name, QString (*text)(),
-                                    QString (*tip)(), void (FiguresPage::*run)()) {
+                                    QString (*tip)(), std::function<void()> run) {
   auto* button = named<QPushButton>(name);
   keepTranslated(*button, [button, text, tip] {
     button->setText(text());
     button->setToolTip(tip());
   });
-  connect(button, &QPushButton::clicked, this, run);
+  connect(button, &QPushButton::clicked, this, std::move(run));
   row.addWidget(button);
   return button;
 }
@@ -305,14 +303,6 @@ void FiguresPage::choose(FigureName name, bool compute) {
   if (compute && !queue_->status(name).made) this->compute();
 }
 
-void FiguresPage::chooseQuick() {
-  realizations_->setValue(kQuick);
-}
-
-void FiguresPage::choosePaper() {
-  realizations_->setValue(kPaper);
-}
-
 void FiguresPage::compute() {
   showNote({});
   queue_->compute(chosen(), realizations_->value());
@@ -332,10 +322,6 @@ void FiguresPage::computeAll() {
 void FiguresPage::showNote(const QString& text) {
   note_->setText(text);
   note_->setToolTip(text);
-}
-
-void FiguresPage::openScene() {
-  emit sceneRequested(queue_->status(chosen()).made->figure.scene);
 }
 
 void FiguresPage::askPicture() {

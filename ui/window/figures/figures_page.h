@@ -5,9 +5,10 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 
-#include "ui/contact/contact_picture.h"
+#include "ui/draw/theme.h"
 #include "ui/window/figures/figure_queue.h"
 
 class QLabel;
@@ -69,14 +70,10 @@ class FiguresPage : public QWidget {
   QWidget* makeChoices();
   QWidget* makeCommands();
   QPushButton* addButton(QLayout& row, const char* name, QString (*text)(), QString (*tip)(),
-                         void (FiguresPage::*run)());
+                         std::function<void()> run);
 
-  void chooseQuick();
-  void choosePaper();
   void compute();
   void computeAll();
-  void cancel() { queue_->cancel(); }
-  void openScene();
   void askData();
   void save(const QString& file,
             void (*write)(const std::filesystem::path&, const ComputedFigure&));

@@ -16,10 +16,12 @@
 #include "core/base/number_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/panel_style.h"
+#include "ui/panels/parameter_text.h"
 
 namespace asperity {
 
@@ -143,7 +145,7 @@ void FitChoices::fillKeys() {
   keys_->setTabKeyNavigation(false);
   for (int row = 0; row < keys_->rowCount(); ++row) {
     const VariedParameter& parameter = parameters_[static_cast<std::size_t>(row)];
-    auto* name = new QTableWidgetItem(ParameterRow::labelText(parameter.row()));
+    auto* name = new QTableWidgetItem(labelText(parameter.row()));
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(Qt::Unchecked);
     name->setToolTip(wrappedTip(translatedText(parameter.row().sentence)));
@@ -194,7 +196,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
   if (refusal.isEmpty())
     refusals_.erase({cell.row(), column});
   else
-    refusals_[{cell.row(), column}] = ParameterRow::labelText(row) + ": " + refusal;
+    refusals_[{cell.row(), column}] = labelText(row) + ": " + refusal;
   cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(errorColour(palette())));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);

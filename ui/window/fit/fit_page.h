@@ -14,6 +14,7 @@
 #include "core/chart/fit_report.h"
 #include "ui/draw/theme.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/window/fit/fit_choices.h"
 #include "ui/window/tasks/background_work.h"
 

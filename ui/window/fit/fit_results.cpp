@@ -18,7 +18,6 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
 #include "ui/panels/parameter_text.h"
 #include "ui/window/fit/fit_page.h"
 
@@ -48,7 +47,7 @@ QString stateText(const FittedParameter& parameter, const Fit& fit, const QColor
 /// The symbol, or the name where there is none.
 QString shortName(const FittedParameter& parameter) {
   const Parameter& row = *findParameter(parameter.key);
-  return row.symbol.empty() ? ParameterRow::labelText(row).toHtmlEscaped() : symbolHtml(row.symbol);
+  return row.symbol.empty() ? labelText(row).toHtmlEscaped() : symbolHtml(row.symbol);
 }
 
 /// Returns a message of core with the names of the panel instead of keys.

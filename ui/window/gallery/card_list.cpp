@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 
 namespace asperity {
 

@@ -24,7 +24,6 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -60,15 +59,15 @@ void sizeAround(Options& options, const QSize& part, const Inside& inside) {
 
 /// Returns the view of the contact under the greatest pressure, as wide as shows its summit.
 ContactView closeUp(const Frame& frame) {
-  constexpr double kWidth = 0.26;  // of the period
+  constexpr double kPart = 0.26;  // of the period
   ContactView view = fittedView(frame);
   const auto count = static_cast<std::int64_t>(frame.pressure.size());
   if (count == 0) return view;
   const auto most = std::ranges::max_element(frame.pressure) - frame.pressure.begin();
-  view.width = kWidth * frame.length;
+  view.width = kPart * frame.length;
   view.left = (static_cast<double>(most) + 0.5) * frame.spacing - 0.5 * view.width;
   // Heights from below the contact to the middle height of the line beside it.
-  const auto half = static_cast<std::int64_t>(0.5 * kWidth * static_cast<double>(count));
+  const auto half = static_cast<std::int64_t>(0.5 * kPart * static_cast<double>(count));
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, deepest = lowest;
   for (std::int64_t i = most - half; i <= most + half; ++i) {
     const auto at = static_cast<std::size_t>(((i % count) + count) % count);

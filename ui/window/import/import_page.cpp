@@ -15,6 +15,7 @@
 #include "core/base/text_encoding.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 

@@ -12,18 +12,16 @@
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
-#include "core/base/stop.h"
 #include "core/run/measured_sheet.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
 #include "ui/draw/fonts.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/figures/diagram_view.h"
 
@@ -290,8 +288,7 @@ void SurfaceImport::take(const Preview& preview) {
     const QString text = withLabels(translatedText(message));
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
-    return finish((parameter ? ParameterRow::labelText(*parameter) : QFileInfo(file()).fileName()) +
-                  ": " + text);
+    return finish((parameter ? labelText(*parameter) : QFileInfo(file()).fileName()) + ": " + text);
   }
   panel_->showLine(preview.line);
   showSummary(*summary_);

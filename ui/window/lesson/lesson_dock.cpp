@@ -12,6 +12,7 @@
 
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/lesson_pane.h"
 

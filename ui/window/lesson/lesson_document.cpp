@@ -9,7 +9,6 @@
 #include "core/base/input_error.h"
 #include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
-#include "core/scene/sweep.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -25,6 +25,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/lesson/lesson_text.h"
@@ -32,8 +33,7 @@
 #include "ui/window/lesson/prediction_fields.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/file_dialogs.h"
-#include "ui/window/main/run_window.h"
-#include "ui/window/main/scene_library.h"
+#include "ui/window/main/last_session.h"
 
 namespace asperity {
 

@@ -17,13 +17,12 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/scene/parameters.h"
-#include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/parameter_panel.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 
 namespace asperity {
 
@@ -117,7 +116,7 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   const Parameter* row = findParameter(key);
   auto* all = new QWidget;
   auto* line = marginless<QHBoxLayout>(all);
-  const QString label = row ? ParameterRow::labelText(*row) : QString::fromStdString(key);
+  const QString label = row ? labelText(*row) : QString::fromStdString(key);
   auto* name = new QLabel(label);
   if (row) name->setToolTip(wrappedTip(translatedText(row->sentence)));
   line->addWidget(name);
@@ -169,7 +168,7 @@ QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
       const Scene scene = changed();
       for (const Parameter& one : parameters())
         if (isApplicable(one, scene) && std::holds_alternative<RealField>(one.field))
-          box.addItem(ParameterRow::labelText(one), fromUtf8(one.key));
+          box.addItem(labelText(one), fromUtf8(one.key));
     });
   auto* line = new QLineEdit;
   const Parameter shown = parameterIn(row, changed());
@@ -225,7 +224,7 @@ void AssignmentList::fillMenu() {
   fillParameterMenu(*add_->menu(), changed(), [this](QMenu& section, const Parameter& row) {
     const auto isSame = [&](const std::string& one) { return assignmentKey(one) == row.key; };
     if (std::ranges::any_of(assignments_, isSame)) return;
-    QAction* action = section.addAction(ParameterRow::labelText(row));
+    QAction* action = section.addAction(labelText(row));
     action->setObjectName(name_ + "With:" + fromUtf8(row.key));
     connect(action, &QAction::triggered, this, [this, &row] { add(row); });
   });

@@ -15,9 +15,10 @@
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/labels.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/lesson/prediction_fields.h"
 
 namespace asperity {
@@ -154,8 +155,7 @@ void LessonStepPage::showControls() {
   if (areOthersFree) keys.insert(keys.end(), chosen_.hidden.begin(), chosen_.hidden.end());
   QStringList names;
   for (const std::string& key : keys)
-    if (const Parameter* parameter = findParameter(key))
-      names += ParameterRow::labelText(*parameter);
+    if (const Parameter* parameter = findParameter(key)) names += labelText(*parameter);
   const QString named = names.size() > 3 ? tr("%1 controls").arg(names.size()) : names.join(", ");
   controls_->setText(!areOthersFree    ? (names.isEmpty() ? tr("Choose…") : named)
                      : names.isEmpty() ? tr("all")
@@ -167,10 +167,9 @@ void LessonStepPage::showControls() {
 /// Offers the parameters that have a meaning in the step's scene.
 void LessonStepPage::fillControls() {
   fillParameterMenu(*controls_->menu(), scene_, [this](QMenu& section, const Parameter& row) {
-    section.addAction(checkedEntry(
-        section, "free:" + fromUtf8(row.key), ParameterRow::labelText(row),
-        chosen_.state(row.key) == ControlState::Free,
-        [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); }));
+    checkedEntry(section, "free:" + fromUtf8(row.key), labelText(row),
+                 chosen_.state(row.key) == ControlState::Free,
+                 [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); });
   });
 }
 

@@ -14,6 +14,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/answer_input.h"
 #include "ui/window/lesson/lesson_text.h"

@@ -13,7 +13,6 @@
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_commands.h"
@@ -395,10 +394,8 @@ void LessonPlayer::keepWindow() {
     compares->setChecked(false);
   }
   // The texts of lessons speak of the pressure that glows.
-  if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) {
-    before_->overlay = canvas->viewer().overlay();
-    canvas->setOverlay(ContactOverlay::Pressure);
-  }
+  before_->overlay = parts_.canvas.viewer().overlay();
+  parts_.canvas.setOverlay(ContactOverlay::Pressure);
 }
 
 /// Restores the state before the lesson.
@@ -422,7 +419,7 @@ void LessonPlayer::restoreWindow() {
   if (before->hasComparison)
     if (auto* compares = parts_.window.findChild<QAbstractButton*>("comparisonWanted"))
       compares->setChecked(true);
-  if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) canvas->setOverlay(before->overlay);
+  parts_.canvas.setOverlay(before->overlay);
 }
 
 }  // namespace asperity

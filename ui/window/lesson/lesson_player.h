@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/friction/curve_quantity.h"
 #include "core/lesson/lesson_results.h"
-#include "ui/chart/friction_chart_model.h"
+#include "core/run/runner.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/tasks/background_work.h"
@@ -24,12 +25,14 @@ class QMainWindow;
 namespace asperity {
 
 class Commands;
+class ContactCanvas;
 class LessonDock;
 class LessonPane;
 class ParameterPanel;
 class PredictionPoint;
 class SceneTabs;
 class Session;
+class WindowPages;
 
 class LessonPlayer : public QObject {
   Q_OBJECT
@@ -39,9 +42,11 @@ class LessonPlayer : public QObject {
     QMainWindow& window;
     SceneDocument& document;
     Session& session;
+    ContactCanvas& canvas;
     ParameterPanel& panel;
     QDockWidget& parameters;
     SceneTabs& tabs;
+    WindowPages& pages;
   };
   explicit LessonPlayer(const Parts& parts);
 

@@ -19,6 +19,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/scene_library.h"

@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/lesson/lesson_document.h"
 #include "ui/window/lesson/lesson_form.h"
 #include "ui/window/lesson/lesson_text.h"
@@ -137,7 +135,7 @@ QString keyText(const QString& key) {
   for (qsizetype i = 0; i < members.size(); ++i) {
     const QString rest = members.mid(i).join('.');
     if (const Parameter* row = findParameter(rest.toStdString()); row && rest.contains('.')) {
-      words += QStringLiteral("“%1”").arg(ParameterRow::labelText(*row));
+      words += QStringLiteral("“%1”").arg(labelText(*row));
       break;
     }
     if (const auto found = numbered.match(members[i]); found.hasMatch()) {

@@ -11,7 +11,7 @@
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/lesson/lesson_form.h"
 
 namespace asperity {
@@ -91,12 +91,12 @@ void LessonValueFields::show(const LessonValue& value, const Scene& scene) {
   for (const Parameter& row : parameters())
     if (std::holds_alternative<RealField>(row.field) && isApplicable(row, scene) &&
         row.key.find('.') != row.key.npos)
-      key_->addItem(ParameterRow::labelText(row), fromUtf8(row.key));
+      key_->addItem(labelText(row), fromUtf8(row.key));
   const QString key = QString::fromStdString(value.key.empty() ? "sliding.velocity" : value.key);
   // A key may have a meaning only after the changes below.
   if (key_->findData(key) < 0) {
     const Parameter* row = findParameter(key.toStdString());
-    key_->addItem(row ? ParameterRow::labelText(*row) : key, key);
+    key_->addItem(row ? labelText(*row) : key, key);
   }
   key_->setCurrentIndex(key_->findData(key));
   from_->setText(value.from == 0 ? QString() : keyValueText(value.key, value.from));

@@ -13,10 +13,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/number_text.h"
-#include "ui/panels/parameter_panel.h"
 #include "ui/panels/scene_files.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
@@ -30,6 +27,7 @@
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/window_pages.h"
 
 namespace asperity {
 
@@ -192,8 +190,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
 
 LessonEditor& Lessons::makeEditor(const LessonDocument& document) {
   const auto shownNow = [this]() -> std::optional<LessonStep> {
-    const auto* pages = parts_.window.findChild<FigurePages*>();
-    if (pages && pages->isShowingScenes()) return std::nullopt;
+    if (parts_.pages.isShowingGallery()) return std::nullopt;
     LessonStep step;
     step.scene = withAbsoluteFiles(parts_.document.scene());
     step.scene.folder.clear();  // a lesson in any folder finds them

@@ -11,8 +11,8 @@
 #include <QTableWidget>
 #include <cmath>
 
-#include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/lesson_form.h"
 #include "ui/window/lesson/lesson_validation.h"

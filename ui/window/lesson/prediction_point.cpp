@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "ui/chart/chart_view.h"
-#include "ui/draw/ticks.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {

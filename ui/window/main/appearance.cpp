@@ -7,11 +7,10 @@
 #include <QWidget>
 #include <algorithm>
 
-#include "core/chart/curve_set.h"
-#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/panel_style.h"
 #include "ui/window/main/commands.h"
 
 namespace asperity {
@@ -201,7 +200,7 @@ void Appearance::addMenu(QMenu& menu) {
   for (const ThemeChoice choice : {ThemeChoice::System, ThemeChoice::Light, ThemeChoice::Dark}) {
     choices_ += checkedEntry(*themes, QStringLiteral("colours:%1").arg(static_cast<int>(choice)),
                              {}, choice == choice_, [this, choice](bool) { chooseTheme(choice); });
-    themes->addAction(group->addAction(choices_.last()));
+    group->addAction(choices_.last());
   }
   keepTranslated(*themes, [this, themes] {
     themes->setTitle(tr("Theme"));

@@ -11,8 +11,8 @@
 #include <QString>
 
 #include "core/base/named_choices.h"
-#include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 
 class QAction;
 class QMenu;

@@ -1,6 +1,6 @@
 // The commands of the window: each is an action with a name, a text in the language of the window,
 // keys, and optionally a drawn icon. The parts of the window add their commands; menus and tool bar
-// (main_window_menus.cpp) order them by name. GUI thread. Cannot fail.
+// (main_menus.h) order them by name. GUI thread. Cannot fail.
 #pragma once
 
 #include <QAction>

@@ -7,10 +7,8 @@
 #include <QSettings>
 #include <exception>
 #include <filesystem>
-#include <string>
 
 #include "core/base/atomic_file.h"
-#include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_results.h"
 #include "core/scene/provenance.h"
@@ -20,7 +18,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/file_dialogs.h"
@@ -164,7 +162,7 @@ bool DocumentCommands::saveTo(const QString& file) {
   if (!missingValue(panel_.scene()).text.isEmpty()) {
     messages_.showFailure(MessageBar::Failure::Files, [scene = panel_.scene()] {
       const Missing missing = missingValue(scene);
-      return ParameterRow::labelText(*findParameter(missing.key)) + ": " + missing.text;
+      return labelText(*findParameter(missing.key)) + ": " + missing.text;
     });
     return false;
   }

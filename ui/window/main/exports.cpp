@@ -13,13 +13,11 @@
 #include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/export/export_dialog.h"
 #include "ui/window/export/export_form.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
@@ -28,6 +26,7 @@
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
+#include "ui/window/main/window_pages.h"
 
 namespace asperity {
 
@@ -99,17 +98,16 @@ void Exports::addTo(Commands& commands) {
          copyText(curveCommand(parts_.document.origin(), parts_.document.scene(), shownCurves()));
        }});
   const auto show = [this, &commands] { enableCommands(commands); };
-  connect(&parts_.figures, &FigurePages::pageChanged, this, show);
-  connect(&parts_.figures, &FigurePages::figureShown, this, show);
+  connect(&parts_.pages, &WindowPages::pageChanged, this, show);
+  connect(&parts_.pages, &WindowPages::figureShown, this, show);
   connect(&parts_.session, &Session::plotChanged, this, show);
 }
 
 /// Enables the commands for what is visible: the contact, or the figure that is shown instead.
 /// While a lesson hides the curve, pictures and tables that could have it are not made.
 void Exports::enableCommands(Commands& commands) const {
-  const bool hasViews = parts_.figures.isShowingViews();
-  const bool hasFigure =
-      parts_.figures.isShowingFigures() && parts_.figures.figuresPage().hasFigure();
+  const bool hasViews = parts_.pages.isShowingViews();
+  const bool hasFigure = parts_.pages.isShowingFigures() && parts_.pages.figuresPage().hasFigure();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
     action->setEnabled(hasViews || hasFigure);
   const bool isConcealed = parts_.session.friction().isConcealed();
@@ -156,7 +154,7 @@ void Exports::run(std::function<void()> work, std::function<void()> done) {
 }
 
 void Exports::copyPicture() {
-  if (parts_.figures.isShowingFigures()) return parts_.figures.figuresPage().copyPicture();
+  if (parts_.pages.isShowingFigures()) return parts_.pages.figuresPage().copyPicture();
   if (!hasPicture()) return;
   const auto image = std::make_shared<QImage>();
   run([shot = *shot(), image] { *image = renderContact(shot); },
@@ -168,7 +166,7 @@ void Exports::copyPicture() {
 }
 
 void Exports::askPicture() {
-  if (parts_.figures.isShowingFigures()) return parts_.figures.figuresPage().askPicture();
+  if (parts_.pages.isShowingFigures()) return parts_.pages.figuresPage().askPicture();
   if (!hasPicture()) return;
   const QString file = askSaveFile(&parts_.window, tr("Save picture"), "contact.png",
                                    tr("Pictures (*.png *.svg *.pdf)"));
@@ -206,8 +204,7 @@ RenderCommandOptions Exports::shownOptions() const {
   }
   options.scale = canvas.devicePixelRatioF() * canvas.textScale();
   options.dark = parts_.appearance.isDark();
-  options.overlay =
-      QString::fromUtf8(choiceWord(kContactOverlays, canvas.viewer().overlay()).data());
+  options.overlay = fromUtf8(choiceWord(kContactOverlays, canvas.viewer().overlay()));
   const std::optional<ContactShot> present = shot();
   // A frame of the previous scene has not yet been replaced; fitted values are then sufficient.
   if (present && present->frame->sceneNumber == parts_.session.sceneNumber()) {
@@ -228,8 +225,8 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
       new ExportDialog({parts_.document.origin(), parts_.document.scene(), shownOptions(), name},
                        kind, program_, &parts_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  if (kind == ExportKind::Figure && parts_.figures.isShowingFigures())
-    dialog->form().setContent(fromUtf8(figureEntry(parts_.figures.figuresPage().chosen()).word));
+  if (kind == ExportKind::Figure && parts_.pages.isShowingFigures())
+    dialog->form().setContent(fromUtf8(figureEntry(parts_.pages.figuresPage().chosen()).word));
   connect(dialog, &ExportDialog::exported, this, &Exports::showSaved);
   dialog->open();
   return *dialog;

@@ -23,7 +23,7 @@ class Commands;
 class ContactCanvas;
 class CurveCommands;
 class ExportDialog;
-class FigurePages;
+class WindowPages;
 class MessageBar;
 class SceneTabs;
 class Session;
@@ -46,7 +46,7 @@ struct ExportParts {
   Session& session;
   ContactCanvas& canvas;
   SceneTabs& tabs;
-  FigurePages& figures;
+  WindowPages& pages;
   Appearance& appearance;
   MessageBar& messages;
   StatusLine& status;

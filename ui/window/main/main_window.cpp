@@ -17,15 +17,12 @@
 #include <QToolButton>
 #include <QUrl>
 
-#include "core/run/transient_diagram.h"
 #include "ui/chart/chart_view.h"
-#include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
-#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/contact/contact_words.h"
 #include "ui/window/contact/motion_view.h"
@@ -33,9 +30,6 @@
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_display.h"
-#include "ui/window/figures/diagram_view.h"
-#include "ui/window/figures/figure_pages.h"
-#include "ui/window/figures/figures_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/lesson/prediction_point.h"
@@ -44,8 +38,10 @@
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
 #include "ui/window/main/frame_display.h"
+#include "ui/window/main/help_commands.h"
+#include "ui/window/main/last_session.h"
+#include "ui/window/main/main_menus.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
@@ -54,6 +50,7 @@
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/main/window_pages.h"
 #include "ui/window/main/window_visibility.h"
 #include "ui/window/map/map_panel.h"
 
@@ -116,7 +113,12 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   appearance_ = new Appearance(*this);
   buildViews();
   buildCommands();
-  buildMenus();
+  addMenus({*this, *commands_, *documents_, *pages_, *canvas_, *windowLayout_, *curveCommands_,
+            *comparisons_, *appearance_, [this](const QString& name) { openShipped(name); },
+            [this](std::string_view code) { setLanguage(code); },
+            [] {
+              return QStringList{tr("Play"), tr("Pause")};
+            }});
   connectFrames();
   connectScene();
   connectTime();
@@ -157,9 +159,7 @@ ChartView& MainWindow::plotView() {
 
 void MainWindow::buildViews() {
   tabs_ = new SceneTabs(*session_);
-  splitter_ = named<QSplitter>("viewSplitter", Qt::Vertical);
-  splitter_->setHandleWidth(1);
-  splitter_->setChildrenCollapsible(false);
+  splitter_ = thinSplitter(Qt::Vertical, "viewSplitter");
   timeBar_ = new TimeBar;
   auto* contact = named<QWidget>("contactPage");
   auto* column = marginless<QVBoxLayout>(contact, 0);
@@ -171,11 +171,11 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(1, 42);
 
   description_ = named<MessageBar>("descriptionBar");
-  figures_ = new FigurePages(inColumn({description_, splitter_}));
+  pages_ = new WindowPages(inColumn({description_, splitter_}));
   messages_ = new MessageBar;
   hint_ = named<MessageBar>("hintBar");
   tourBar_ = new TourBar;
-  setCentralWidget(inColumn({messages_, hint_, tourBar_, figures_}));
+  setCentralWidget(inColumn({messages_, hint_, tourBar_, pages_}));
 
   status_ = new StatusLine;
   status_->monitor(*session_, *canvas_);
@@ -220,26 +220,27 @@ void MainWindow::buildCommands() {
                   {Qt::CTRL | Qt::Key_D}});
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
-  figures_->addTo(*commands_);
+  pages_->addTo(*commands_);
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
-  connect(imports_, &ImportCommands::imported, figures_, &FigurePages::showViews);
+  connect(imports_, &ImportCommands::imported, pages_, &WindowPages::showViews);
   comparisons_ = new ComparisonCommands(
       {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
   comparisons_->addTo(*commands_);
-  exports_ = new Exports({*this, *document_, *session_, *canvas_, *tabs_, *figures_, *appearance_,
+  exports_ = new Exports({*this, *document_, *session_, *canvas_, *tabs_, *pages_, *appearance_,
                           *messages_, *status_});
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
-  windowLayout_ = new WindowLayout({*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_,
+  windowLayout_ = new WindowLayout({*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *pages_,
                                     *appearance_, *messages_, *description_, *hint_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
   connect(tour_, &Tour::controlRequested, panel_, &ParameterPanel::reveal);
-  lessons_ = new Lessons({*this, *document_, *session_, *panel_, *dock_, *tabs_}, *messages_);
+  lessons_ = new Lessons({*this, *document_, *session_, *canvas_, *panel_, *dock_, *tabs_, *pages_},
+                         *messages_);
   lessons_->addTo(*commands_);
   // The offer of the tour is nothing for those who are in a lesson, nor for an audience.
   connect(lessons_, &Lessons::stepShown, hint_, &QWidget::hide);
@@ -250,12 +251,8 @@ void MainWindow::buildCommands() {
   connect(lessons_, &Lessons::stepShown, this, [this] {
     frames_->showFrame();  // a picture that stands still brings no new readings
   });
-  commands_->add({"shortcuts",
-                  [] { return tr("Keyboard shortcuts"); },
-                  [this] { showShortcuts(); },
-                  {Qt::Key_F1, Qt::Key_Question}});
-  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide({}); }});
-  commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
+  help_ = new HelpCommands(*this, *messages_);
+  help_->addTo(*commands_);
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {Qt::CTRL | Qt::Key_Q}});
   const auto run = [this](std::function<void()> work, std::function<void()> done) {
     exports_->run(std::move(work), std::move(done));
@@ -270,21 +267,21 @@ void MainWindow::buildCommands() {
 void MainWindow::connectScene() {
   const auto edit = [this](const Scene& scene) { document_->edit(scene); };
   connect(panel_, &ParameterPanel::sceneEdited, this, edit);
-  connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
+  connect(panel_, &ParameterPanel::guideRequested, help_, &HelpCommands::openGuide);
   // The connection is queued, because the dock does not know the new minimum width yet.
   connect(
       panel_, &ParameterPanel::widthReleased, this,
       [this](int width) { resizeDocks({dock_}, {width}, Qt::Horizontal); }, Qt::QueuedConnection);
   // Escape in the filter gives the keys of the picture back.
   connect(panel_, &ParameterPanel::filterLeft, canvas_, [this] { canvas_->setFocus(); });
-  connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
+  connect(canvas_, &ContactCanvas::guideRequested, help_, &HelpCommands::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this, edit);
   connect(&tabs_->map(), &MapPanel::sceneEdited, this, edit);
   connect(canvas_, &ContactCanvas::sceneEdited, this, edit);
-  connect(figures_, &FigurePages::sceneRequested, this,
+  connect(pages_, &WindowPages::sceneRequested, this,
           [this](const Scene& scene) { document_->open(scene); });
-  connect(figures_, &FigurePages::shippedSceneRequested, this, &MainWindow::openShipped);
-  connect(figures_, &FigurePages::galleryRequested, this, &MainWindow::openGallery);
+  connect(pages_, &WindowPages::shippedSceneRequested, this, &MainWindow::openShipped);
+  connect(pages_, &WindowPages::galleryRequested, this, &MainWindow::openGallery);
   connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
@@ -293,7 +290,7 @@ void MainWindow::connectScene() {
             if (isOpened) panel_->showNotes({});
             if (isOpened) panel_->clearFilter();
             // An opened scene is shown at once, so the gallery closes.
-            if (isOpened && figures_->isShowingScenes()) figures_->showViews();
+            if (isOpened && pages_->isShowingGallery()) pages_->showViews();
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene,
@@ -303,7 +300,7 @@ void MainWindow::connectScene() {
             showScene(scene, isOpened);
           });
   connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
-  connect(tour_, &Tour::starting, figures_, &FigurePages::showViews);
+  connect(tour_, &Tour::starting, pages_, &WindowPages::showViews);
   connect(tour_, &Tour::stepShown, description_, &QWidget::hide);
   keepTranslated(*this, [this] {
     for (const QDockWidget* dock : findChildren<QDockWidget*>()) translateButtons(*dock);
@@ -317,7 +314,7 @@ void MainWindow::openShipped(const QString& name) {
 }
 
 void MainWindow::openGallery() {
-  figures_->openScenes(document_->origin().shipped);
+  pages_->openGallery(document_->origin().shipped);
 }
 
 void MainWindow::showScene(const Scene& scene, bool isOpened) {
@@ -371,15 +368,14 @@ void MainWindow::connectFrames() {
   connect(appearance_, &Appearance::themeChanged, this, [this](const Theme& theme) {
     canvas_->setTheme(theme);
     tabs_->setTheme(theme);
-    figures_->setTheme(theme);
+    pages_->setTheme(theme);
   });
-  connect(figures_, &FigurePages::pageChanged, this, [this](bool areShown) {
-    // The space bar presses the buttons of the page of figures; it does not pause the run behind
-    // it.
+  connect(pages_, &WindowPages::pageChanged, this, [this](bool areViewsCovered) {
+    // The space bar presses the buttons of the other page; it does not pause the run behind it.
     for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset", "describe"}))
-      action->setEnabled(!areShown);
+      action->setEnabled(!areViewsCovered);
     updateVisibility();
-    if (!areShown) canvas_->setFocus();
+    if (!areViewsCovered) canvas_->setFocus();
   });
   connect(status_, &StatusLine::stopRequested, session_, &Session::stopCurve);
   connect(status_, &StatusLine::restartRequested, this, [this] {
@@ -392,7 +388,7 @@ void MainWindow::connectFrames() {
 /// Pauses the moving picture while the window is hidden; curves are still computed.
 void MainWindow::updateVisibility() {
   updatePollInterval();
-  session_->setVisible(visibility_->isVisible() && figures_->isShowingViews());
+  session_->setVisible(visibility_->isVisible() && pages_->isShowingViews());
 }
 
 /// Sets the interval of the timer: an idle window polls rarely, so that it takes almost no
@@ -467,7 +463,7 @@ void MainWindow::connectCurve() {
   connect(curveCommands_, &CurveCommands::axisChosen, this, [this](const Scene& scene) {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
-  connect(curveCommands_, &CurveCommands::guideRequested, this, &MainWindow::openGuide);
+  connect(curveCommands_, &CurveCommands::guideRequested, help_, &HelpCommands::openGuide);
   connect(curveCommands_, &CurveCommands::failed, this, fails(MessageBar::Failure::Comparison));
   auto* comparison = new CurveComparison(*session_, this);
   connect(&tabs_->accuracy(), &AccuracyPanel::comparisonChanged, this,

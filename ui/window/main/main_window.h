@@ -12,7 +12,6 @@
 
 #include "core/run/runner.h"
 #include "core/scene/scene.h"
-#include "ui/language/language.h"
 
 class QDockWidget;
 class QSplitter;
@@ -27,8 +26,9 @@ class ContactCanvas;
 class CurveCommands;
 class DocumentCommands;
 class Exports;
-class FigurePages;
+class WindowPages;
 class FrameDisplay;
+class HelpCommands;
 class ImportCommands;
 class Lessons;
 class MessageBar;
@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow {
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
-  FigurePages& figures() { return *figures_; }                 // the views, or the paper's figures
+  WindowPages& pages() { return *pages_; }  // the views, or another page over them
   Exports& exports() { return *exports_; }
   MessageBar& messages() { return *messages_; }
   StatusLine& status() { return *status_; }
@@ -93,15 +93,6 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFrames();
   void connectCurve();
-  void buildMenus();  // this and the next seven are in main_window_menus.cpp
-  QMenu* addMenu(QString (*title)());
-  void fillScenes(QMenu& menu);
-  void fillLanguages(QMenu& menu);
-  void buildToolBar(QMenu& scenes);
-  void showShortcuts();
-  void openGuide(const QString& anchor);
-  void showAbout();
-
   void connectTime();
   void updateVisibility();
   void updatePollInterval();
@@ -117,7 +108,7 @@ class MainWindow : public QMainWindow {
   TimeBar* timeBar_ = nullptr;
   SceneTabs* tabs_ = nullptr;
   QSplitter* splitter_ = nullptr;
-  FigurePages* figures_ = nullptr;
+  WindowPages* pages_ = nullptr;
   MessageBar *messages_ = nullptr, *hint_ = nullptr, *description_ = nullptr;
   TourBar* tourBar_ = nullptr;
   StatusLine* status_ = nullptr;
@@ -132,6 +123,7 @@ class MainWindow : public QMainWindow {
   CurveCommands* curveCommands_ = nullptr;
   ComparisonCommands* comparisons_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;
+  HelpCommands* help_ = nullptr;
   Tour* tour_ = nullptr;
   Lessons* lessons_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
@@ -139,13 +131,5 @@ class MainWindow : public QMainWindow {
   bool wasPlaying_ = false;               // before the slider of time was dragged
   std::optional<std::string> described_;  // the last text in the description bar
 };
-
-/// Returns the guide of the program in this folder: one HTML file that is installed beside the
-/// program, or made in its build folder; empty where there is none.
-QString guideFile(const QString& programFolder);
-
-/// Opens the guide in the reader's own browser, at an anchor ("eq-11") or at its beginning. Returns
-/// the error message; empty on success.
-LiveText openGuideFile(const QString& programFolder, const QString& anchor = {});
 
 }  // namespace asperity

@@ -12,7 +12,8 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/labels.h"
+#include "ui/panels/parameter_text.h"
 
 namespace asperity {
 
@@ -44,7 +45,7 @@ QString inLines(const QString& text, int lines, int width, const QFont& font) {
 QString subjectText(const QString& key) {
   const Parameter* parameter = findParameter(key.section('[', 0, 0).toStdString());
   if (!parameter) return key;
-  const QString label = ParameterRow::labelText(*parameter);
+  const QString label = labelText(*parameter);
   const QString row = key.section('[', 1).section(']', 0, 0);
   return row.isEmpty() ? label : MessageBar::tr("%1, row %2").arg(label).arg(row.toInt() + 1);
 }

@@ -3,7 +3,6 @@
 #include <time.h>
 #include <unistd.h>
 #include <QApplication>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFile>
 #include <QFileInfo>
@@ -14,30 +13,23 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <utility>
 
-#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
-#include "ui/panels/scene_files.h"
 #include "ui/window/contact/contact_canvas.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/lesson/lessons.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
-#include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
-#include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/main/window_pages.h"
 #include "ui/window/main/window_style.h"
 
 namespace asperity {
@@ -73,8 +65,6 @@ SceneState stateWithOrigin(const Scene& scene, const std::string& name) {
   }
   return state;
 }
-
-constexpr int kStartField = 19;  // field of /proc/self/stat after the name
 
 }  // namespace
 
@@ -150,13 +140,12 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   window->document().begin(first);
   window->windowLayout().remember();
   const bool isRequested = scene.has_value() || start.found;
-  if (restoreLastSession(*window, isRequested) == LastSession::None && !isRequested)
-    window->openGallery();
+  if (!restoreLastSession(*window, isRequested) && !isRequested) window->openGallery();
   keepLastSession(*window);
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
   // Otherwise the first button would have the focus, which the space bar then presses.
-  if (window->figures().isShowingViews()) window->canvas().setFocus();
+  if (window->pages().isShowingViews()) window->canvas().setFocus();
   window->show();
   if (start.found)
     QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
@@ -196,6 +185,8 @@ QuitLimit::~QuitLimit() {
 // ---- The start
 
 namespace {
+
+constexpr int kStartField = 19;  // field of /proc/self/stat after the name
 
 double toSeconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
@@ -244,121 +235,6 @@ bool StartTimes::eventFilter(QObject* watched, QEvent* event) {
         this, [] { printTime("window on the screen"); }, Qt::QueuedConnection);
   }
   return QObject::eventFilter(watched, event);
-}
-
-// ---- The state between two starts
-
-namespace {
-
-struct LastSessionText {
-  Q_DECLARE_TR_FUNCTIONS(asperity::LastSessionText)
-};
-
-const QString kGroup = QStringLiteral("lastSession");
-
-/// Reads the origin of the scene again; returns an unknown origin where it no longer exists.
-SceneOrigin findOrigin(const QString& shipped, const QString& file) {
-  if (const LibraryScene* found = findLibraryScene(shipped)) return {shipped, {}, found->scene};
-  if (!file.isEmpty() && QFileInfo(file).isFile())
-    return {{}, file, readSceneFile(file.toStdString())};
-  return {};
-}
-
-/// Throws InputError where a file is missing that the scene reads only when it runs.
-void checkFiles(const Scene& scene) {
-  if (!hasSurfaceFile(scene.surface)) return;
-  const std::filesystem::path file = scene.folder / scene.surface.file;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) throw InputError(file.string(), "", "is not there");
-}
-
-/// Reads the scene. Throws InputError or std::exception where it cannot be read.
-SceneState readLastScene(const QSettings& settings) {
-  SceneState state;
-  state.origin =
-      findOrigin(settings.value("shipped").toString(), settings.value("file").toString());
-  const bool isKnown = state.origin.isKnown();
-  if (isKnown && !settings.value("isChanged").toBool()) {
-    state.scene = state.origin.scene;
-  } else {
-    std::filesystem::path folder = settings.value("folder").toString().toStdString();
-    if (isKnown) folder = state.origin.scene.folder;
-    state.scene = readScene(settings.value("scene").toString().toStdString(), {}, folder);
-    if (!isKnown) state.origin.scene = state.scene;
-  }
-  checkFiles(state.scene);
-  return state;
-}
-
-void restoreView(ContactCanvas& canvas, const QSettings& settings) {
-  canvas.setNavigation(ViewNavigation::fromText(settings.value("view").toString().toStdString()));
-  const std::string word = settings.value("overlay").toString().toStdString();
-  if (const auto overlay = findChoice(kContactOverlays, word)) canvas.setOverlay(*overlay);
-}
-
-}  // namespace
-
-void saveLastSession(MainWindow& window, SessionMoment moment) {
-  const SceneState state = window.document().lastingState();
-  const SceneOrigin& origin = state.origin;
-  const bool isDiscarded = moment == SessionMoment::End && state.isUnsavedFile();
-  Scene scene = isDiscarded ? origin.scene : state.scene;
-  const bool isChanged = !(scene == origin.scene);
-  std::filesystem::path folder = std::filesystem::current_path() / scene.folder;
-  // The scene may have been saved in another folder than the one from which it came. The next start
-  // reads it in that of its file.
-  if (!origin.file.isEmpty()) {
-    folder = std::filesystem::absolute(origin.file.toStdString()).parent_path();
-    scene = withFilesRelativeTo(folder, scene);
-  }
-  QSettings settings;
-  settings.beginGroup(kGroup);
-  settings.setValue("scene", QString::fromStdString(writeScene(scene)));
-  settings.setValue("isChanged", isChanged);
-  settings.setValue("folder", QString::fromStdString(folder.string()));
-  settings.setValue("shipped", origin.shipped);
-  settings.setValue("file",
-                    origin.file.isEmpty() ? QString() : QFileInfo(origin.file).absoluteFilePath());
-  const ContactViewer& viewer = window.canvas().viewer();
-  settings.setValue("view", QString::fromStdString(viewer.navigation().toText()));
-  settings.setValue("overlay",
-                    QString::fromUtf8(choiceWord(kContactOverlays, viewer.overlay()).data()));
-  settings.setValue("tab", window.tabs().currentWidget()->objectName());
-  settings.sync();
-}
-
-void keepLastSession(MainWindow& window) {
-  auto* timer = new QTimer(&window);
-  timer->setSingleShot(true);
-  timer->setInterval(kSessionDelay);
-  QObject::connect(timer, &QTimer::timeout, &window,
-                   [&window] { saveLastSession(window, SessionMoment::Running); });
-  // Changes that follow each other do not put the writing off.
-  const auto start = [timer] {
-    if (!timer->isActive()) timer->start();
-  };
-  const SceneDocument& document = window.document();
-  QObject::connect(&document, &SceneDocument::sceneChanged, timer, start);
-  QObject::connect(&document, &SceneDocument::historyChanged, timer, start);
-}
-
-LastSession restoreLastSession(MainWindow& window, bool hasScene) {
-  QSettings settings;
-  settings.beginGroup(kGroup);
-  if (!settings.contains("scene")) return LastSession::None;
-  LastSession answer = LastSession::Restored;
-  if (!hasScene) {
-    try {
-      window.document().begin(readLastScene(settings));
-      restoreView(window.canvas(), settings);
-    } catch (const std::exception& error) {
-      answer = LastSession::Broken;
-      window.status().showMessage(LastSessionText::tr("The scene of last time cannot be shown: %1")
-                                      .arg(translatedError(error)));
-    }
-  }
-  window.tabs().bringToFront(settings.value("tab").toString());
-  return answer;
 }
 
 }  // namespace asperity

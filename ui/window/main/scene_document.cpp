@@ -13,7 +13,7 @@
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 
 namespace asperity {
 
@@ -292,8 +292,8 @@ QString stepName(const Scene& before, const Scene& after) {
     return std::holds_alternative<ChoiceField>(findParameter(key)->field);
   };
   const auto choice = std::ranges::find_if(keys, isChoice);
-  if (choice != keys.end()) return capitalized(ParameterRow::labelText(*findParameter(*choice)));
-  if (keys.size() == 1) return capitalized(ParameterRow::labelText(*findParameter(keys.front())));
+  if (choice != keys.end()) return capitalized(labelText(*findParameter(*choice)));
+  if (keys.size() == 1) return capitalized(labelText(*findParameter(keys.front())));
   return SceneDocument::tr("%1 parameters").arg(keys.size());
 }
 

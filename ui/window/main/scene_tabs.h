@@ -13,7 +13,7 @@
 
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
-#include "ui/contact/contact_picture.h"
+#include "ui/draw/theme.h"
 #include "ui/language/language.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 

@@ -1,5 +1,6 @@
 #include "ui/window/main/status_line.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
@@ -14,11 +15,11 @@
 
 #include "core/base/number_text.h"
 #include "core/material/element_law.h"
-#include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/run/frame.h"
-#include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 
 class QHBoxLayout;
 class QProgressBar;

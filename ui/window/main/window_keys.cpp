@@ -22,6 +22,7 @@
 
 #include "ui/chart/chart_view.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/window_layout.h"
 

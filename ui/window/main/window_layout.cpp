@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -14,17 +15,17 @@
 #include <QToolBar>
 #include <algorithm>
 #include <string>
-#include <string_view>
 
 #include "ui/panels/controls.h"
+#include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
-#include "ui/window/figures/figure_pages.h"
 #include "ui/window/gallery/scene_gallery.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_tabs.h"
+#include "ui/window/main/window_pages.h"
 
 namespace asperity {
 
@@ -64,7 +65,7 @@ WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), p
   fitDescription();
   for (QObject* watched : std::initializer_list<QObject*>{&parts_.offer, &parts_.window})
     watched->installEventFilter(this);
-  connect(&parts_.figures, &FigurePages::pageChanged, this, &WindowLayout::hideDocksForFigures);
+  connect(&parts_.pages, &WindowPages::pageChanged, this, &WindowLayout::hideDocks);
   connect(&parts_.dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     if (isVisible) endPanelNote();
   });
@@ -144,8 +145,8 @@ void WindowLayout::fillMenu(QMenu& menu) {
 
 /// The gallery of scenes has a filter of its own, which the key then means.
 void WindowLayout::filterParameters() {
-  if (parts_.figures.isShowingFigures()) return;
-  if (parts_.figures.isShowingScenes()) return parts_.figures.scenes().focusFilter();
+  if (parts_.pages.isShowingFigures()) return;
+  if (parts_.pages.isShowingGallery()) return parts_.pages.gallery().focusFilter();
   parts_.dock.show();
   parts_.dock.raise();
   parts_.panel.focusFilter();
@@ -170,19 +171,18 @@ void WindowLayout::showScreenMode() {
   const bool isFull = parts_.window.isFullScreen();
   commands_->get("fullScreen")->setChecked(isFull);
   commands_->get("present")->setChecked(isPresenting());
-  commands_->get("leave")->setEnabled((isFull || isPresenting()) &&
-                                      parts_.figures.isShowingViews());
+  commands_->get("leave")->setEnabled((isFull || isPresenting()) && parts_.pages.isShowingViews());
 }
 
-/// Hides the parameters and readings of the contact while the figures are shown.
-void WindowLayout::hideDocksForFigures(bool areShown) {
+/// Hides the parameters and readings of the contact while another page covers the views.
+void WindowLayout::hideDocks(bool areViewsCovered) {
   QStatusBar& status = *parts_.window.statusBar();
-  if (areShown) {
+  if (areViewsCovered) {
     hadDock_ = !parts_.dock.isHidden();
     hadStatus_ = !status.isHidden();
   }
-  parts_.dock.setVisible(!areShown && hadDock_);
-  status.setVisible(!areShown && hadStatus_);
+  parts_.dock.setVisible(!areViewsCovered && hadDock_);
+  status.setVisible(!areViewsCovered && hadStatus_);
   showScreenMode();
 }
 
@@ -192,15 +192,15 @@ void WindowLayout::hideDocksForFigures(bool areShown) {
 /// views.
 void WindowLayout::setPresenting(bool presenting) {
   if (presenting == isPresenting()) return showScreenMode();
-  const bool hadFigures = parts_.figures.isShowingFigures();
-  parts_.figures.showViews();
+  const bool hadFigures = parts_.pages.isShowingFigures();
+  parts_.pages.showViews();
   const bool hidesPanel = presenting && !hadFigures && !parts_.dock.isHidden();
   if (presenting)
     beginPresentation();
   else
     endPresentation();
   if (hidesPanel) showPanelNote();
-  if (hadFigures) parts_.figures.openFigures();
+  if (hadFigures) parts_.pages.openFigures();
   showScreenMode();
 }
 
@@ -324,7 +324,7 @@ void WindowLayout::save() {
   if (!remembers_) return;
   const std::optional<Presentation> before = presentation_;
   setPresenting(false);
-  parts_.figures.showViews();
+  parts_.pages.showViews();
   QSettings settings;
   settings.beginGroup("window");
   settings.setValue("geometry", before ? before->geometry : parts_.window.saveGeometry());
@@ -340,8 +340,8 @@ void WindowLayout::save() {
 /// the window.
 void WindowLayout::saveTheme() {
   if (!remembers_) return;
-  const std::string_view word = choiceWord(kThemeChoices, parts_.appearance.themeChoice());
-  QSettings().setValue(kColours, QString::fromUtf8(word.data(), std::ssize(word)));
+  QSettings().setValue(kColours,
+                       fromUtf8(choiceWord(kThemeChoices, parts_.appearance.themeChoice())));
 }
 
 /// Fits the window, including its frame, to the screen.

@@ -23,7 +23,7 @@ namespace asperity {
 class Appearance;
 class Commands;
 class ContactCanvas;
-class FigurePages;
+class WindowPages;
 class MessageBar;
 class ParameterPanel;
 class SceneTabs;
@@ -47,7 +47,7 @@ struct LayoutParts {
   QSplitter& splitter;  // between contact and tabs
   ContactCanvas& canvas;
   SceneTabs& tabs;
-  FigurePages& figures;
+  WindowPages& pages;
   Appearance& appearance;
   MessageBar& messages;
   MessageBar& description;  // of the scene
@@ -101,7 +101,7 @@ class WindowLayout : public QObject {
   void endPanelNote();
   void setFullScreen(bool full);
   void showScreenMode();
-  void hideDocksForFigures(bool areShown);
+  void hideDocks(bool areViewsCovered);
   void fitDockToScreen();
   void saveTheme();
   bool restoreDocks(const QByteArray& state, int version = 0);

@@ -19,7 +19,9 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_text.h"
 #include "ui/window/map/map_view.h"
@@ -318,13 +320,12 @@ void MapPanel::showMap() {
   save_->setEnabled(map_->isFinal);  // a stage has fewer lines than a file of it would state
   const std::string shown = quantity().toStdString();
   showCross();
-  const auto origin = [map = map_, shown] { return provenanceLine(mapProvenance(*map, shown)); };
-  view_->show([map = map_, shown] { return mapSheetWithSection(*map, shown); },
-              {"map", origin,
-               [map = map_, shown, origin] {
-                 return "# asperity: " + origin() + "\n" + mapCsv(*map, shown);
-               },
-               [map = map_, shown] { return mapSheet(*map, shown); }});
+  const auto origin = [map = map_, shown] { return mapProvenance(*map, shown); };
+  view_->show(
+      [map = map_, shown] { return mapSheetWithSection(*map, shown); },
+      {"map", [origin] { return provenanceLine(origin()); },
+       [map = map_, shown, origin] { return provenanceComment(origin()) + mapCsv(*map, shown); },
+       [map = map_, shown] { return mapSheet(*map, shown); }});
 }
 
 void MapPanel::showCross() {

@@ -91,9 +91,9 @@ TEST_F(ContactWordsTest, ConcealsWhatTheChartConceals) {
 }
 
 TEST_F(ContactWordsTest, RestsBehindThePagesWithoutAContact) {
-  window_.figures().openFigures();
+  window_.pages().openFigures();
   EXPECT_FALSE(action("describe").isEnabled());
-  window_.figures().showViews();
+  window_.pages().showViews();
   EXPECT_TRUE(action("describe").isEnabled());
 }
 

@@ -16,7 +16,6 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
-#include "ui/panels/controls.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/diagram_view.h"

@@ -1,6 +1,7 @@
 // The friction diagram in the window: how soon a new curve is there, velocities from the marker and
 // from points, the lists at its axes, and what is compared with it.
 #include "ui/window/curve/curve_display.h"
+#include "ui/panels/boxes.h"
 
 #include <gtest/gtest.h>
 

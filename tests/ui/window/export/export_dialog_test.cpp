@@ -410,8 +410,8 @@ TEST_F(ExportDialogTest, FiguresOfThePaperAreExportedWithTheirDataAndClaims) {
 
 /// From the page of figures the dialog begins with the figure that is shown there.
 TEST_F(ExportDialogTest, TheFigureInSightIsChosen) {
-  window_.figures().openFigures();
-  window_.figures().figuresPage().choose(FigureName::Plateau, false);
+  window_.pages().openFigures();
+  window_.pages().figuresPage().choose(FigureName::Plateau, false);
   EXPECT_FALSE(action("exportPicture").isEnabled());
   action("exportFigure").trigger();
   dialog_ = window_.findChild<ExportDialog*>();

@@ -1,11 +1,13 @@
 // The page of a fit as a person uses it: ticking, limits, running, stopping, taking the values,
 // writing the report; theories and measured tables in the menu of the curve.
 #include "ui/window/fit/fit_page.h"
+#include "ui/panels/panel_style.h"
 
 #include <gtest/gtest.h>
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QFile>
 #include <QListWidget>
 #include <QMenu>

@@ -178,21 +178,21 @@ class GalleryTest : public MainWindowTest {
     QTest::keyClick(&window_, Qt::Key_N, Qt::ControlModifier);
     QCoreApplication::processEvents();
   }
-  SceneGallery& gallery() { return window_.figures().scenes(); }
+  SceneGallery& gallery() { return window_.pages().gallery(); }
   CardList& cards() { return gallery().cards(); }
   QLineEdit& filter() { return control<QLineEdit>("sceneFilter"); }
   void key(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
 };
 
 TEST_F(GalleryTest, CoversTheViewsUntilEscape) {
-  EXPECT_TRUE(window_.figures().isShowingScenes());
+  EXPECT_TRUE(window_.pages().isShowingGallery());
   EXPECT_TRUE(cards().hasFocus());
   EXPECT_EQ(cards().cardCount(), static_cast<int>(libraryScenes().size()));
   EXPECT_TRUE(action("gallery").isChecked());
   EXPECT_FALSE(action("play").isEnabled());
   EXPECT_FALSE(control<QWidget>("parameterDock").isVisible());
   key(Qt::Key_Escape);
-  EXPECT_TRUE(window_.figures().isShowingViews());
+  EXPECT_TRUE(window_.pages().isShowingViews());
   EXPECT_FALSE(action("gallery").isChecked());
   EXPECT_TRUE(control<QWidget>("parameterDock").isVisible());
   EXPECT_EQ(session().scene(), smallScene());
@@ -210,7 +210,7 @@ TEST_F(GalleryTest, ArrowsAndEnterOpenASceneThatUndoTakesBack) {
   answer(QMessageBox::Cancel);
   key(Qt::Key_Return);
   EXPECT_EQ(asked_, 0);
-  EXPECT_TRUE(window_.figures().isShowingViews());
+  EXPECT_TRUE(window_.pages().isShowingViews());
   EXPECT_EQ(session().scene(), libraryScenes()[1].scene);
   EXPECT_EQ(window_.document().origin().shipped, libraryScenes()[1].name);
   EXPECT_EQ(window_.document().history().count(), 1);
@@ -255,9 +255,9 @@ TEST_F(GalleryTest, TheFilterFindsWordsAndEnterOpensTheFirst) {
   EXPECT_EQ(cards().cardCount(), 0);
   EXPECT_TRUE(control<QWidget>("noScene").isVisible());
   key(Qt::Key_Return);
-  EXPECT_TRUE(window_.figures().isShowingScenes());
+  EXPECT_TRUE(window_.pages().isShowingGallery());
   key(Qt::Key_Escape);  // empties the filter
-  EXPECT_TRUE(window_.figures().isShowingScenes());
+  EXPECT_TRUE(window_.pages().isShowingGallery());
   EXPECT_EQ(cards().cardCount(), static_cast<int>(libraryScenes().size()));
   QTest::keyClicks(&cards(), "tyre");  // letters go to the filter
   EXPECT_EQ(filter().text(), "tyre");
@@ -277,7 +277,7 @@ TEST_F(GalleryTest, ShowsTheWholeCardOfThePresentScene) {
   for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
     window_.resize(size);
     for (const char* scene : {"reversal", "wedge", "tyre_on_asphalt", "figure_2"}) {
-      if (window_.figures().isShowingScenes()) key(Qt::Key_Escape);
+      if (window_.pages().isShowingGallery()) key(Qt::Key_Escape);
       action(QStringLiteral("scene:") + scene).trigger();
       action("gallery").trigger();
       QCoreApplication::processEvents();
@@ -289,8 +289,8 @@ TEST_F(GalleryTest, ShowsTheWholeCardOfThePresentScene) {
 
 /// Pages follow each other without leaving the parts around them hidden.
 TEST_F(GalleryTest, FiguresAndGalleryTakeTurns) {
-  window_.figures().openFigures();
-  EXPECT_FALSE(window_.figures().isShowingScenes());
+  window_.pages().openFigures();
+  EXPECT_FALSE(window_.pages().isShowingGallery());
   EXPECT_FALSE(action("gallery").isChecked());
   EXPECT_TRUE(action("figures").isChecked());
   window_.openGallery();

@@ -1,9 +1,11 @@
 // The page on which a measured surface becomes the line of the scene, as a person uses it.
 #include "ui/window/import/surface_import.h"
+#include "ui/panels/parameter_text.h"
 
 #include <gtest/gtest.h>
 
 #include <QAbstractEventDispatcher>
+#include <QEvent>
 #include <QFile>
 #include <QHash>
 #include <QLabel>
@@ -25,7 +27,6 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/language/language.h"
-#include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/main/scene_library.h"
@@ -74,12 +75,12 @@ TEST_F(SurfaceImportTest, ClosesTheGalleryAndTakesTheNameOfTheFile) {
   const LibraryScene& shipped = libraryScenes().front();
   window_.document().open(shipped.scene);
   ASSERT_TRUE(waitForFrame());
-  window_.figures().openFigures();
+  window_.pages().openFigures();
   openPage(sineFile());
   ASSERT_TRUE(waitForPage());
   click("importAccept");
   ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
-  EXPECT_TRUE(window_.figures().isShowingViews());
+  EXPECT_TRUE(window_.pages().isShowingViews());
   EXPECT_NE(scene().title, shipped.scene.title);
   EXPECT_NE(scene().title.find("profile"), std::string::npos) << scene().title;
 }
@@ -195,7 +196,7 @@ TEST_F(SurfaceImportTest, AsksForAUnitThatIsMissing) {
 TEST_F(SurfaceImportTest, AnUnknownUnitNamesTheControlThatChoosesAnother) {
   openPage(sineFile(0, "x [s];z [µm]\n"));
   ASSERT_TRUE(waitForPage());
-  const QString label = ParameterRow::labelText(*findParameter("surface.position_unit"));
+  const QString label = labelText(*findParameter("surface.position_unit"));
   EXPECT_TRUE(page_->errorText().contains(QStringLiteral("“%1” can name another").arg(label)))
       << page_->errorText().toStdString();
 }

@@ -19,7 +19,6 @@
 #include "tests/ui/window/lesson/lesson_editor_fixture.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_text.h"

@@ -24,6 +24,7 @@
 #include "tests/ui/window/readable_widgets.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"

@@ -1,6 +1,7 @@
 // Steps of lessons in the window, as a student works through them by mouse and by keyboard: what is
 // asked, hidden, locked and revealed.
 #include "ui/window/lesson/lesson_player.h"
+#include "ui/panels/labels.h"
 
 #include <gmock/gmock.h>
 

@@ -18,6 +18,7 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/labels.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/main/status_line.h"

@@ -385,9 +385,9 @@ TEST_F(WindowLayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
   ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
   action("figures").trigger();
   EXPECT_FALSE(description.isVisible());
-  const FigureName first = window_.figures().figuresPage().chosen();
-  EXPECT_TRUE(waitFor(
-      [&] { return window_.figures().figuresPage().queue().status(first).made != nullptr; }));
+  const FigureName first = window_.pages().figuresPage().chosen();
+  EXPECT_TRUE(
+      waitFor([&] { return window_.pages().figuresPage().queue().status(first).made != nullptr; }));
   action("figures").trigger();
   EXPECT_TRUE(description.isVisible());
 }
@@ -535,11 +535,11 @@ TEST_F(WindowLayoutTest, APresentationGivesBackSizesToThePixel) {
     action(opened).trigger();
     QCoreApplication::processEvents();
     QTest::keyClick(&window_, Qt::Key_F5);
-    EXPECT_EQ(window_.figures().figuresPage().isVisible(), QString(opened) == "figures");
-    if (window_.figures().figuresPage().isVisible()) {
+    EXPECT_EQ(window_.pages().figuresPage().isVisible(), QString(opened) == "figures");
+    if (window_.pages().figuresPage().isVisible()) {
       EXPECT_FALSE(dock().isVisible());
       EXPECT_FALSE(window_.statusBar()->isVisible());
-      window_.figures().showViews();
+      window_.pages().showViews();
     }
     EXPECT_TRUE(QTest::qWaitFor([&] { return sizes() == before; }, 2000)) << opened;
     EXPECT_EQ(sizes(), before) << opened;
@@ -558,9 +558,9 @@ TEST_F(WindowLayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   QTest::keyClick(&window_, Qt::Key_F5);
   QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
-  ASSERT_TRUE(window_.figures().figuresPage().isVisible());
+  ASSERT_TRUE(window_.pages().figuresPage().isVisible());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-  EXPECT_FALSE(window_.figures().figuresPage().isVisible());
+  EXPECT_FALSE(window_.pages().figuresPage().isVisible());
   EXPECT_TRUE(window_.windowLayout().isPresenting());
   for (const QWidget* hidden : std::initializer_list<QWidget*>{&dock(), window_.statusBar()})
     EXPECT_FALSE(hidden->isVisible());

@@ -11,7 +11,7 @@
 
 #include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/panels/controls.h"
+#include "ui/panels/boxes.h"
 #include "ui/window/map/map_view.h"
 
 namespace asperity {

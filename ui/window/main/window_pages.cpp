@@ -1,11 +1,9 @@
-#include "ui/window/figures/figure_pages.h"
+#include "ui/window/main/window_pages.h"
 
 #include <QAction>
 #include <QMenu>
 
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/gallery/scene_gallery.h"
 #include "ui/window/main/commands.h"
@@ -20,11 +18,11 @@ constexpr QSizePolicy::Policy kNoSize = QSizePolicy::Ignored;
 
 }  // namespace
 
-FigurePages::FigurePages(QWidget* views, QWidget* parent) : QStackedWidget(parent) {
+WindowPages::WindowPages(QWidget* views, QWidget* parent) : QStackedWidget(parent) {
   addWidget(views);
 }
 
-void FigurePages::addTo(Commands& commands) {
+void WindowPages::addTo(Commands& commands) {
   commands_ = &commands;
   const auto run = [this] {
     if (isShowingFigures()) return showViews();
@@ -43,14 +41,14 @@ void FigurePages::addTo(Commands& commands) {
       .add({"gallery",
             [] { return tr("Gallery…"); },
             [this] {
-              if (isShowingScenes()) return showViews();
+              if (isShowingGallery()) return showViews();
               emit galleryRequested();
             },
             {Qt::CTRL | Qt::Key_N}})
       ->setCheckable(true);
 }
 
-void FigurePages::fillMenu(QMenu& menu) {
+void WindowPages::fillMenu(QMenu& menu) {
   int key = Qt::Key_1;
   for (const FigureEntry& entry : figureEntries()) {
     QAction* action = menu.addAction(QString(), this, [this, name = entry.name] {
@@ -69,14 +67,21 @@ void FigurePages::fillMenu(QMenu& menu) {
   menu.addAction(commands_->get("figures"));
 }
 
-FiguresPage& FigurePages::figuresPage() {
+/// Makes a page behind the views.
+template <class Page>
+Page* WindowPages::addPage() {
+  auto* page = new Page;
+  page->setTheme(theme_);
+  page->setSizePolicy(kNoSize, kNoSize);
+  addWidget(page);
+  connect(page, &Page::closed, this, &WindowPages::showViews);
+  return page;
+}
+
+FiguresPage& WindowPages::figuresPage() {
   if (figuresPage_) return *figuresPage_;
-  figuresPage_ = new FiguresPage;
-  figuresPage_->setTheme(theme_);
-  figuresPage_->setSizePolicy(kNoSize, kNoSize);
-  addWidget(figuresPage_);
-  connect(figuresPage_, &FiguresPage::closed, this, &FigurePages::showViews);
-  connect(figuresPage_, &FiguresPage::figureShown, this, &FigurePages::figureShown);
+  figuresPage_ = addPage<FiguresPage>();
+  connect(figuresPage_, &FiguresPage::figureShown, this, &WindowPages::figureShown);
   connect(figuresPage_, &FiguresPage::sceneRequested, this, [this](const Scene& scene) {
     showViews();
     emit sceneRequested(scene);
@@ -84,55 +89,51 @@ FiguresPage& FigurePages::figuresPage() {
   return *figuresPage_;
 }
 
-SceneGallery& FigurePages::scenes() {
-  if (scenes_) return *scenes_;
-  scenes_ = new SceneGallery;
-  scenes_->setTheme(theme_);
-  scenes_->setSizePolicy(kNoSize, kNoSize);
-  addWidget(scenes_);
-  scenes_->addCommand(*commands_->get("lessons"));
-  connect(scenes_, &SceneGallery::closed, this, &FigurePages::showViews);
-  connect(scenes_, &SceneGallery::chosen, this, [this](const QString& scene) {
+SceneGallery& WindowPages::gallery() {
+  if (gallery_) return *gallery_;
+  gallery_ = addPage<SceneGallery>();
+  gallery_->addCommand(*commands_->get("lessons"));
+  connect(gallery_, &SceneGallery::chosen, this, [this](const QString& scene) {
     showViews();
     emit shippedSceneRequested(scene);
   });
-  return *scenes_;
+  return *gallery_;
 }
 
-bool FigurePages::isShowingFigures() const {
-  return figuresPage_ && currentWidget() == figuresPage_;
+bool WindowPages::isShowingFigures() const {
+  return currentWidget() == figuresPage_;
 }
 
-bool FigurePages::isShowingScenes() const {
-  return scenes_ && currentWidget() == scenes_;
+bool WindowPages::isShowingGallery() const {
+  return currentWidget() == gallery_;
 }
 
 /// Brings a page to the front that covers the views.
-void FigurePages::show(QWidget& page) {
+void WindowPages::show(QWidget& page) {
   showViews();
   commands_->get("figures")->setChecked(&page == figuresPage_);
-  commands_->get("gallery")->setChecked(&page == scenes_);
+  commands_->get("gallery")->setChecked(&page == gallery_);
   page.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   setCurrentWidget(&page);
   emit pageChanged(true);
 }
 
-void FigurePages::openFigures() {
+void WindowPages::openFigures() {
   if (isShowingFigures())
     commands_->get("figures")->setChecked(true);
   else
     show(figuresPage());
 }
 
-void FigurePages::openScenes(const QString& scene) {
-  if (isShowingScenes())
+void WindowPages::openGallery(const QString& scene) {
+  if (isShowingGallery())
     commands_->get("gallery")->setChecked(true);
   else
-    show(scenes());
-  scenes().choose(scene);
+    show(gallery());
+  gallery().choose(scene);
 }
 
-void FigurePages::showViews() {
+void WindowPages::showViews() {
   for (const char* name : {"figures", "gallery"}) commands_->get(name)->setChecked(false);
   if (isShowingViews()) return;
   currentWidget()->setSizePolicy(kNoSize, kNoSize);
@@ -140,10 +141,10 @@ void FigurePages::showViews() {
   emit pageChanged(false);
 }
 
-void FigurePages::setTheme(const Theme& theme) {
+void WindowPages::setTheme(const Theme& theme) {
   theme_ = theme;
   if (figuresPage_) figuresPage_->setTheme(theme);
-  if (scenes_) scenes_->setTheme(theme);
+  if (gallery_) gallery_->setTheme(theme);
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 // The page of the paper's figures in the main window: its menu, and how it changes places with the
 // views.
-#include "ui/window/figures/figure_pages.h"
+#include "ui/window/main/window_pages.h"
 
 #include <gtest/gtest.h>
 
@@ -29,20 +29,20 @@ namespace asperity {
 namespace {
 
 /// The page in the window.
-class FigurePagesTest : public testing::Test {
+class WindowPagesTest : public testing::Test {
  protected:
-  FigurePagesTest() : window_(std::make_unique<MainWindow>(smallScene())) {
+  WindowPagesTest() : window_(std::make_unique<MainWindow>(smallScene())) {
     window_->show();
     window_->activateWindow();
   }
 
   QAction& action(const QString& name) { return *window_->findChild<QAction*>(name); }
-  FiguresPage& page() { return window_->figures().figuresPage(); }
+  FiguresPage& page() { return window_->pages().figuresPage(); }
 
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(FigurePagesTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
+TEST_F(WindowPagesTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
   for (const FigureEntry& entry : figureEntries()) {
     auto* action = window_->findChild<QAction*>("figure:" + fromUtf8(entry.word));
     ASSERT_TRUE(action) << entry.word;
@@ -56,7 +56,7 @@ TEST_F(FigurePagesTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
   }
 }
 
-TEST_F(FigurePagesTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
+TEST_F(WindowPagesTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   auto& dock = *window_->findChild<QDockWidget*>("parameterDock");
   QTest::keyClick(window_.get(), Qt::Key_G, Qt::ControlModifier);
@@ -76,7 +76,7 @@ TEST_F(FigurePagesTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
   EXPECT_FALSE(dock.isVisible());
 }
 
-TEST_F(FigurePagesTest, AFigureOpensAsASceneToPlayWith) {
+TEST_F(WindowPagesTest, AFigureOpensAsASceneToPlayWith) {
   action("figure:1").trigger();
   EXPECT_TRUE(page().isVisible());
   EXPECT_EQ(page().chosen(), FigureName::Contact);
@@ -96,8 +96,8 @@ TEST_F(FigurePagesTest, AFigureOpensAsASceneToPlayWith) {
 }
 
 /// Of what is in sight: never the contact behind the page.
-TEST_F(FigurePagesTest, PicturesAreOfTheFigureThatIsShown) {
-  window_->figures().openFigures();
+TEST_F(WindowPagesTest, PicturesAreOfTheFigureThatIsShown) {
+  window_->pages().openFigures();
   page().choose(FigureName::Forces, false);
   for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
     EXPECT_FALSE(action(name).isEnabled()) << name;
@@ -115,23 +115,23 @@ TEST_F(FigurePagesTest, PicturesAreOfTheFigureThatIsShown) {
   });
   action("savePicture").trigger();
   EXPECT_EQ(proposed, "figure_1.png");
-  window_->figures().showViews();
+  window_->pages().showViews();
   for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
     EXPECT_TRUE(action(name).isEnabled()) << name;
 }
 
-TEST_F(FigurePagesTest, TheContactGoesOnWhileAFigureIsComputed) {
+TEST_F(WindowPagesTest, TheContactGoesOnWhileAFigureIsComputed) {
   page().findChild<QSpinBox*>("realizations")->setValue(1500);
   action("figure:6").trigger();
   const auto part = [&] { return page().queue().status(FigureName::Plateau).part; };
   ASSERT_TRUE(waitFor([&] { return part() > 0; }));
-  window_->figures().showViews();  // behind its page the contact rests
+  window_->pages().showViews();  // behind its page the contact rests
   QSignalSpy frames(&window_->session(), &Session::frameArrived);
   EXPECT_TRUE(waitFor([&] { return frames.count() >= 5; }));
   EXPECT_EQ(page().queue().computing(), FigureName::Plateau);
 }
 
-TEST_F(FigurePagesTest, TheWindowClosesInTheMiddleOfAComputation) {
+TEST_F(WindowPagesTest, TheWindowClosesInTheMiddleOfAComputation) {
   page().findChild<QSpinBox*>("realizations")->setValue(1500);
   action("figure:6").trigger();
   ASSERT_TRUE(waitFor([&] { return page().queue().status(FigureName::Plateau).part > 0; }));

@@ -1,4 +1,4 @@
-#include "ui/window/figures/figure_queue.h"
+#include "ui/window/figures/claim_text.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <QStackedWidget>
 
 #include "core/scene/scene.h"
-#include "ui/contact/contact_picture.h"
+#include "ui/draw/theme.h"
 
 class QMenu;
 
@@ -16,11 +16,11 @@ class Commands;
 class FiguresPage;
 class SceneGallery;
 
-class FigurePages : public QStackedWidget {
+class WindowPages : public QStackedWidget {
   Q_OBJECT
 
  public:
-  explicit FigurePages(QWidget* views, QWidget* parent = nullptr);
+  explicit WindowPages(QWidget* views, QWidget* parent = nullptr);
 
   void addTo(Commands& commands);
   /// Adds an entry for each figure, with its key.
@@ -28,14 +28,14 @@ class FigurePages : public QStackedWidget {
 
   void openFigures();
   /// Shows the gallery with the card of this shipped scene as the current one.
-  void openScenes(const QString& scene);
+  void openGallery(const QString& scene);
   /// Shows the views in place of another page.
   void showViews();
   bool isShowingFigures() const;
-  bool isShowingScenes() const;
+  bool isShowingGallery() const;
   bool isShowingViews() const { return currentIndex() == 0; }
   FiguresPage& figuresPage();
-  SceneGallery& scenes();
+  SceneGallery& gallery();
   void setTheme(const Theme& theme);
 
  signals:
@@ -47,14 +47,17 @@ class FigurePages : public QStackedWidget {
   void sceneRequested(const asperity::Scene& scene);
   /// Emitted with the name of a shipped scene that the user chose.
   void shippedSceneRequested(const QString& scene);
-  /// Emitted when the user requests the gallery, which openScenes() then shows.
+  /// Emitted when the user requests the gallery, which openGallery() then shows.
   void galleryRequested();
 
  private:
+  template <class Page>
+  Page* addPage();
   void show(QWidget& page);
+
   Commands* commands_ = nullptr;
   FiguresPage* figuresPage_ = nullptr;
-  SceneGallery* scenes_ = nullptr;
+  SceneGallery* gallery_ = nullptr;
   Theme theme_ = lightTheme();
 };
 
