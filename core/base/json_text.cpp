@@ -56,8 +56,8 @@ Message parserMessage(const std::exception& error, std::string_view parsed) {
 
 /// Makes values from the parser's events. (With the library's own callback, the time would grow
 /// with the square of a list's length.) It also refuses what the library accepts silently: a key
-/// that occurs twice in one object (the library keeps the last), too deep nesting, and objects with
-/// very many keys.
+/// that occurs twice in one object (the library keeps the last), a number that is too small for a
+/// double (the library reads 0), too deep nesting, and objects with very many keys.
 class Reader : public nlohmann::json_sax<Json> {
  public:
   /// `wanted`: a member of the outermost object after which the parser stops; null: everything is
@@ -69,7 +69,14 @@ class Reader : public nlohmann::json_sax<Json> {
   bool boolean(bool value) override { return take(value); }
   bool number_integer(std::int64_t value) override { return take(value); }
   bool number_unsigned(std::uint64_t value) override { return take(value); }
-  bool number_float(double value, const std::string&) override { return take(value); }
+  bool number_float(double value, const std::string& digits) override {
+    const std::string_view mantissa =
+        std::string_view(digits).substr(0, digits.find_first_of("eE"));
+    const bool isZero = mantissa.find_first_of("123456789") == std::string_view::npos;
+    if (value == 0 && !isZero)
+      throw InputError("", path(), message("{} is too close to 0 for a number", shortened(digits)));
+    return take(value);
+  }
   bool string(std::string& value) override { return take(std::move(value)); }
   bool binary(Json::binary_t& value) override { return take(std::move(value)); }
   bool start_object(std::size_t) override { return open(Json::object()); }

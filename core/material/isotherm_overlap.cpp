@@ -263,6 +263,7 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   both.standardError = common.horizontal.error;
   both.log10Vertical = common.vertical.value;
   both.verticalError = common.vertical.error;
+  both.ofEntropy = common.ofExpected;
   found.residuals = common.residuals;
   const double ofVertical = common.residuals.verticalError;
   both.isVerticalOpen = !std::isnan(ofVertical) && ofVertical > kOpenVertical;

@@ -86,15 +86,16 @@ class OverlapNoise {
 };
 
 /// The relation of two neighbouring isotherms, by least squares. Over the common range both are one
-/// polynomial in the logarithm of frequency for each modulus (of degree 1 to 4, as the number of
-/// points allows); the shift is the unknown that moves one isotherm against the other; all relative
-/// deviations have equal weight. The standard errors follow from the covariance of all unknowns and
-/// the residuals; they are NaN where no residuals are left to estimate them.
+/// polynomial in the logarithm of frequency for each modulus (of degree 1 to 4, as the number and
+/// the noise of the points allow); the shift is the unknown that moves one isotherm against the
+/// other; all relative deviations have equal weight. The standard errors follow from the covariance
+/// of all unknowns and the residuals; they are NaN where no residuals are left to estimate them.
 struct Overlap {
   double log10Shift = 0;     // decades, log10 of a_T of the colder over that of the warmer
   double standardError = 0;  // decades
   double log10Vertical = 0;  // decades, log10 of b_T of the colder over that of the warmer
   double verticalError = 0;  // decades
+  double ofEntropy = 0;      // decades, part of log10Shift that the law b_T ~ T makes
   double mismatch = 0;       // decades of modulus, rms difference of the two where they overlap
   double decades = 0;        // of frequency that they have in common
   /// Whether the moduli do not tell a vertical shift from a horizontal one (to 5 %): both are power

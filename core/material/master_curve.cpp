@@ -150,7 +150,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   curve.referenceTemperature = referenceTemperature;
   std::vector<NeighbourShifts> steps;
   std::vector<OverlapResiduals> residuals;
-  std::vector<ShiftEstimate> both, vertical, storage, loss;
+  std::vector<ShiftEstimate> both, vertical, storage, loss, ofEntropy;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
     throwIfStopped(stop);
     const NeighbourShifts& step =
@@ -159,6 +159,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
     curve.overlaps.push_back(step.both);
     both.push_back({step.both.log10Shift, step.both.standardError});
     vertical.push_back({step.both.log10Vertical, step.both.verticalError});
+    ofEntropy.push_back({step.both.ofEntropy, 0});
     storage.push_back(step.storage);
     loss.push_back(step.loss);
   }
@@ -170,11 +171,14 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   const auto up = sums.from(vertical);
   moveReference(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
   const auto changes = sums.from(considerVertical(misfit, steps, curve.vertical));
+  // A material that is not entropic differs from b_T ~ T by the same at every step.
+  const auto assumed = sums.from(ofEntropy);
   for (std::size_t i = 0; i < isotherms.size(); ++i) {
     const double change = std::abs(changes[i].value);
+    const double systematic = std::hypot(change, assumed[i].value);
     curve.vertical.largestChange = std::max(curve.vertical.largestChange, change);
     curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value,
-                            std::hypot(horizontal[i].error, change), up[i].value,
+                            std::hypot(horizontal[i].error, systematic), up[i].value,
                             ofStorage[i].value, ofLoss[i].value});
   }
   addPoints(isotherms, curve);

@@ -65,10 +65,11 @@ class WindowFit {
   /// expected is not taken for noise. Where such a fit is not determined, they are first the usual
   /// ones.
   std::optional<FittedShifts> solve(double start) {
-    if (!isVertical_) return fitted(start);
     constexpr int kPasses = 4;
     constexpr double kMinDeviation = 1e-6;  // decades
     deviation_ = kMinDeviation;
+    chooseDegree(start);
+    if (!isVertical_) return fitted(start);
     if (!fitted(start)) deviation_ = kUsualVertical;
     std::optional<FittedShifts> found;
     for (int i = 0; i < kPasses; ++i) {
@@ -106,6 +107,63 @@ class WindowFit {
     }
     if (!(std::abs(step) < 1e-4)) return {};
     return estimate(shift);
+  }
+
+  /// Lowers the degree of the polynomials until noise is a small part of what their slopes say
+  /// about the shift. Else the moduli would seem to determine it better than they do.
+  void chooseDegree(double shift) {
+    constexpr double kMaxPart = 0.1;
+    for (; degree_ > 1; --degree_) {
+      coefficients_ = Eigen::VectorXd::Zero(linearUnknowns());
+      const double squares = squaresAt(shift);
+      const Eigen::MatrixXd polynomials = polynomialsOfRows();
+      const auto left = static_cast<double>(polynomials.rows() - polynomials.cols());
+      if (left < 1) continue;
+      const SlopeSquares slopes = slopesBeside(polynomials, squares / left);
+      if (slopes.ofNoise < kMaxPart * slopes.all) return;
+    }
+  }
+
+  /// Returns the derivatives of the rows of the moduli by the coefficients of the polynomials.
+  Eigen::MatrixXd polynomialsOfRows() const {
+    return system_.topLeftCorner(moduliCount() * rows_, moduliCount() * polynomialUnknowns());
+  }
+
+  /// Returns the derivatives of the slopes by the same. Slopes are those of the colder isotherm,
+  /// which a shift moves, and 0 elsewhere.
+  Eigen::MatrixXd slopesOfRows() const {
+    const Eigen::Index block = polynomialUnknowns();
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(moduliCount() * rows_, moduliCount() * block);
+    for (Eigen::Index m = 0; m < moduliCount(); ++m)
+      for (Eigen::Index i = m * rows_; i < m * rows_ + std::ssize(window_.colder); ++i)
+        for (Eigen::Index k = 1; k < block; ++k)
+          slopes(i, m * block + k) =
+              static_cast<double>(k) * system_(i, m * block + k - 1) / scale_;
+    return slopes;
+  }
+
+  /// Returns the derivatives of the rows of both moduli by a vertical shift.
+  Eigen::VectorXd verticalOfRows() const {
+    const auto colder = static_cast<Eigen::Index>(window_.colder.size());
+    Eigen::VectorXd vertical = Eigen::VectorXd::Zero(2 * rows_);
+    vertical.head(colder).setOnes();
+    vertical.segment(rows_, colder).setOnes();
+    return vertical;
+  }
+
+  struct SlopeSquares {
+    double all = 0;      // sum of squares of the slopes
+    double ofNoise = 0;  // the same that the errors of the slopes are expected to make
+  };
+
+  /// Returns what other unknowns (columns) leave of the slopes, with this variance of a modulus.
+  SlopeSquares slopesBeside(const Eigen::MatrixXd& unknowns, double variance) const {
+    // Slopes are linear in the coefficients of the polynomials.
+    const Eigen::MatrixXd slopes = slopesOfRows();
+    const Eigen::MatrixXd rest = slopes - unknowns * LeastSquares(unknowns).solveColumns(slopes);
+    const Eigen::MatrixXd covariance = normalInverse(polynomialsOfRows());
+    return {(rest * coefficients_.head(slopes.cols())).squaredNorm(),
+            variance * (rest * covariance * rest.transpose()).trace()};
   }
 
   /// Returns the sum of the squares that the best of all other unknowns leave at this shift, and
@@ -206,10 +264,16 @@ class WindowFit {
     FittedShifts found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
     if (!isVertical_) found.vertical.error = 0;
     if (left < 1) return found;
-    const Eigen::MatrixXd covariance = normalInverse(system_) * (squares / left);
+    const Eigen::MatrixXd inverse = normalInverse(system_);
+    const Eigen::MatrixXd covariance = inverse * (squares / left);
     const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
     found.horizontal.error = errorOf(system_.cols() - 1);
-    if (isVertical_) found.vertical.error = errorOf(system_.cols() - 2);
+    if (isVertical_) {
+      found.vertical.error = errorOf(system_.cols() - 2);
+      const Eigen::Index last = system_.rows() - 1;
+      found.ofExpected =
+          (inverse * system_.row(last).transpose())[system_.cols() - 1] * data_[last];
+    }
     if (moduliCount() == 2) found.residuals = residuals();
     return found;
   }
@@ -217,7 +281,6 @@ class WindowFit {
   /// Returns what more unknowns would explain of the assembled rows.
   OverlapResiduals residuals() const {
     const Eigen::Index rows = 2 * rows_;  // without that of the expected vertical shift
-    const auto colder = static_cast<Eigen::Index>(window_.colder.size());
     const Eigen::MatrixXd known = system_.topRows(rows);
     const Eigen::VectorXd data = data_.head(rows);
     const LeastSquares solver(known);
@@ -252,9 +315,7 @@ class WindowFit {
     difference.head(rows_).setZero();
     found.difference = found.differenceBesideVertical = contrast(difference);
     if (!isVertical_) {
-      Eigen::VectorXd vertical = Eigen::VectorXd::Zero(rows);
-      vertical.head(colder).setOnes();
-      vertical.segment(rows_, colder).setOnes();
+      const Eigen::VectorXd vertical = verticalOfRows();
       found.vertical = contrast(vertical);
       if (std::isfinite(found.vertical.value)) addToBasis(vertical);
       found.differenceBesideVertical = contrast(difference);
@@ -291,39 +352,21 @@ class WindowFit {
   /// only where that slope varies, along the frequency or between the moduli, do they differ. The
   /// slopes have errors, which make them vary as well: that part of the variation does not count.
   double verticalError() const {
-    const Eigen::Index rows = 2 * rows_, block = polynomialUnknowns();
-    const auto colder = static_cast<Eigen::Index>(window_.colder.size());
-    // The variation of the slopes is linear in the coefficients of the polynomials.
-    Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(rows, 2 * block + 1), slopes = unknowns;
-    unknowns.leftCols(2 * block) = system_.topLeftCorner(rows, 2 * block);
-    for (Eigen::Index m = 0; m < 2; ++m)
-      for (Eigen::Index i = m * rows_; i < m * rows_ + colder; ++i) {
-        unknowns(i, 2 * block) = 1;
-        for (Eigen::Index k = 1; k < block; ++k)
-          slopes(i, m * block + k) =
-              static_cast<double>(k) * system_(i, m * block + k - 1) / scale_;
-      }
-    const Eigen::MatrixXd polynomials = unknowns.leftCols(2 * block);
-    const LeastSquares solver(unknowns);
-    const Eigen::MatrixXd slopeVariation =
-        slopes.leftCols(2 * block) - unknowns * solver.solveColumns(slopes.leftCols(2 * block));
-    const Eigen::MatrixXd covariance = normalInverse(polynomials);
+    const Eigen::MatrixXd polynomials = polynomialsOfRows();
+    const Eigen::VectorXd vertical = verticalOfRows();
+    Eigen::MatrixXd unknowns(polynomials.rows(), polynomials.cols() + 1);
+    unknowns << polynomials, vertical;
     const double variance = deviation_ * deviation_;
-    const double expected =
-        variance * (slopeVariation * covariance * slopeVariation.transpose()).trace();
-    const double square = (slopeVariation * coefficients_.head(2 * block)).squaredNorm();
-    const Eigen::VectorXd shift = slopes.leftCols(2 * block) * coefficients_.head(2 * block);
-    const LeastSquares ofPolynomials(polynomials);
-    const auto rest = [&](const Eigen::VectorXd& column) -> Eigen::VectorXd {
-      return column - polynomials * ofPolynomials.solve(column);
-    };
+    const SlopeSquares besideVertical = slopesBeside(unknowns, variance);
+    const double shiftAlone = slopesBeside(polynomials, variance).all;
+    const double verticalAlone =
+        (vertical - polynomials * LeastSquares(polynomials).solve(vertical)).squaredNorm();
     // |vertical beside polynomials and shift|^2 = |vertical|^2 |shift beside vertical|^2 /
     // |shift|^2
-    const double shiftAlone = rest(shift).squaredNorm();
-    const double verticalBesideShift = shiftAlone > 0
-                                           ? rest(unknowns.col(2 * block)).squaredNorm() *
-                                                 std::max(0.0, square - expected) / shiftAlone
-                                           : 0;
+    const double verticalBesideShift =
+        shiftAlone > 0 ? verticalAlone *
+                             std::max(0.0, besideVertical.all - besideVertical.ofNoise) / shiftAlone
+                       : 0;
     return verticalBesideShift > 0 ? std::sqrt(variance / verticalBesideShift)
                                    : std::numeric_limits<double>::infinity();
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
@@ -124,7 +125,7 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
   }
 }
 
-std::string ColumnChoice::select(const std::string& csv) const {
+std::string ColumnChoice::select(std::string csv) const {
   if (isAll()) return csv;
   std::size_t at = afterComments(csv);
   std::string text = csv.substr(0, at) + fmt::format("{}\n", fmt::join(columns_, ","));
@@ -146,13 +147,13 @@ std::string ColumnChoice::select(const std::string& csv) const {
   return text;
 }
 
-std::string ColumnChoice::selectAvailable(const std::string& csv) const {
+std::string ColumnChoice::selectAvailable(std::string csv) const {
   std::size_t at = afterComments(csv);
   const std::vector<std::string_view> names = cellsAt(csv, at);
   ColumnChoice known;
   for (const std::string& column : columns_)
     if (std::ranges::find(names, column) != names.end()) known.columns_.push_back(column);
-  return known.select(csv);
+  return known.select(std::move(csv));
 }
 
 Json ColumnChoice::select(const Json& rows) const {

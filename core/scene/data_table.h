@@ -52,10 +52,10 @@ class ColumnChoice {
   /// last word where the table has none of the whole key. A column that this table lacks,
   /// because its scene gives it no meaning, is empty. csv: a line of names, then rows; lines of
   /// comment before them stay.
-  std::string select(const std::string& csv) const;
+  std::string select(std::string csv) const;
   /// Returns one of several tables that a command writes, with those of the columns that it has. A
   /// table that has none of them stays whole.
-  std::string selectAvailable(const std::string& csv) const;
+  std::string selectAvailable(std::string csv) const;
   /// Returns the same for a list of objects; a column that an object lacks is null.
   nlohmann::ordered_json select(const nlohmann::ordered_json& rows) const;
 

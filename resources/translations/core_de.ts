@@ -2951,6 +2951,10 @@
         <translation>ein Objekt hat mehr als %1 Schlüssel</translation>
     </message>
     <message>
+        <source>%1 is too close to 0 for a number</source>
+        <translation>%1 liegt für eine Zahl zu nahe bei 0</translation>
+    </message>
+    <message>
         <source>is nested too deeply</source>
         <translation>ist zu tief verschachtelt</translation>
     </message>

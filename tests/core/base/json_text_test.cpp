@@ -76,6 +76,14 @@ TEST(JsonText, ANumberThatIsTooLargeHasALine) {
   }
 }
 
+TEST(JsonText, ANumberThatIsTooSmallIsNotZero) {
+  const auto error = [](const std::string& text) { return errorFrom([&] { parseJson(text, 8); }); };
+  EXPECT_THAT(error(R"({"a":{"b":-1.5e-400}})"),
+              testing::AllOf(HasSubstr("a.b"), HasSubstr("-1.5e-400 is too close to 0")));
+  for (const char* const zero : {"0.0", "-0e5", "0.00e-999", "5e-324"})
+    EXPECT_EQ(error("{\"a\":" + std::string(zero) + "}"), "no error") << zero;
+}
+
 TEST(JsonText, MembersUpToOneAreReadWithoutWhatFollows) {
   const std::string text = R"({"a":1,"b":{"c":2},"d": no JSON)";
   EXPECT_EQ(membersUpTo(text, "b", 4), (Json{{"a", 1}, {"b", {{"c", 2}}}}));
