@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 #include "core/base/input_error.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {
@@ -109,28 +111,102 @@ std::string utf8OfLatin1(std::string_view bytes) {
   return text;
 }
 
-/// Words of Japanese measurements in Shift-JIS; in Latin-1 they would be letters that no language
-/// puts together.
-constexpr std::array kJapaneseWords{
-    "\x89\xB7\x93\x78"sv,          // temperature
-    "\x8E\xFC\x94\x67\x90\x94"sv,  // frequency
-    "\x92\x65\x90\xAB\x97\xA6"sv,  // modulus
-    "\x91\xB9\x8E\xB8"sv,          // loss
-    "\x91\xAA\x92\xE8"sv,          // measurement
-    "\x91\xAC\x93\x78"sv,          // velocity
-    "\x96\x80\x8E\x43"sv,          // friction
-    "\x89\xD7\x8F\x64"sv,          // load
-    "\x8D\x82\x82\xB3"sv,          // height
-    "\x91\x65\x82\xB3"sv           // roughness
+/// A code page, and words of measurements in it, separated by blanks; in Latin-1 they would be
+/// letters that no language puts together.
+struct CodePage {
+  std::string_view encoding;  // as a user knows it
+  const char* name;           // of the converter: the variant of Microsoft
+  WordList words;
 };
+constexpr CodePage kCodePages[] = {
+    // Japanese: temperature, frequency, modulus, loss, measurement, velocity, friction, load,
+    // height, roughness.
+    {"Shift-JIS", "CP932",
+     "\x89\xB7\x93x "
+     "\x8E\xFC\x94g\x90\x94 "
+     "\x92"
+     "e\x90\xAB\x97\xA6 "
+     "\x91\xB9\x8E\xB8 "
+     "\x91\xAA\x92\xE8 "
+     "\x91\xAC\x93x "
+     "\x96\x80\x8E"
+     "C "
+     "\x89\xD7\x8F"
+     "d "
+     "\x8D\x82\x82\xB3 "
+     "\x91"
+     "e\x82\xB3"},
+    // Chinese: frequency, temperature, modulus, friction, velocity, load, height, roughness.
+    {"GBK", "CP936",
+     "\xC6\xB5\xC2\xCA "
+     "\xCE\xC2\xB6\xC8 "
+     "\xC4\xA3\xC1\xBF "
+     "\xC4\xA6\xB2\xC1 "
+     "\xCB\xD9\xB6\xC8 "
+     "\xD4\xD8\xBA\xC9 "
+     "\xB8\xDF\xB6\xC8 "
+     "\xB4\xD6\xB2\xDA"},
+    // Korean: frequency, temperature, elastic, friction, velocity, load, height.
+    {"EUC-KR", "CP949",
+     "\xC1\xD6\xC6\xC4\xBC\xF6 "
+     "\xBF\xC2\xB5\xB5 "
+     "\xC5\xBA\xBC\xBA "
+     "\xB8\xB6\xC2\xFB "
+     "\xBC\xD3\xB5\xB5 "
+     "\xC7\xCF\xC1\xDF "
+     "\xB3\xF4\xC0\xCC"},
+    // Czech and Polish: friction, coefficient, load, storage, loss; velocity, frequency, modulus,
+    // coefficient.
+    {"Windows-1250", "CP1250",
+     "t\xF8"
+     "en\xED "
+     "ou\xE8initel "
+     "at\xED\x9E"
+     "en\xED "
+     "am\xEC\x9Dov\xFD "
+     "tr\xE1tov\xFD "
+     "pr\xEA"
+     "dko\x9C\xE6 "
+     "r\xEA"
+     "dko\x9C\xE6 "
+     "stotliwo\x9C Modu\xB3 modu\xB3 "
+     "wsp\xF3\xB3"
+     "czynnik"},
+    // Turkish: temperature, velocity, friction, loss, angular, height.
+    {"Windows-1254", "CP1254",
+     "\xFD"
+     "cakl\xFDk "
+     "h\xFDz "
+     "H\xFDz "
+     "\xFCrt\xFCnme "
+     "ay\xFDp "
+     "\xE7\xFDsal "
+     "\xFCkseklik"}};
 
-/// Returns a text in Shift-JIS as UTF-8; empty where it is none.
-std::string utf8OfShiftJis(std::string_view bytes) {
-  if (std::ranges::none_of(kJapaneseWords, [bytes](std::string_view word) {
-        return bytes.find(word) != bytes.npos;
-      }))
-    return {};
-  const iconv_t converter = iconv_open("UTF-8", "CP932");  // Microsoft's variant
+/// Returns whether a text is in the code page of Windows for Russian: the letters would all be
+/// accented ones in Latin-1.
+bool isRussian(std::string_view bytes) {
+  constexpr std::size_t kLetters = 5;
+  std::size_t run = 0;
+  return std::ranges::any_of(bytes, [&run](char letter) {
+    run = static_cast<unsigned char>(letter) >= 0xC0 ? run + 1 : 0;
+    return run == kLetters;
+  });
+}
+
+/// Returns the code page of a text by the words at its beginning; nothing where it is not known.
+std::optional<CodePage> codePageOf(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = std::size_t{1} << 16;
+  bytes = bytes.substr(0, kLookedAt);
+  for (const CodePage& page : kCodePages)
+    if (containsOneOf(bytes, page.words)) return page;
+  if (isRussian(bytes)) return CodePage{"Windows-1251", "CP1251", ""};
+  return {};
+}
+
+/// Returns a text in a code page as UTF-8; empty where it is none.
+std::string utf8OfCodePage(std::string_view bytes, const char* codePage) {
+  const iconv_t converter = iconv_open("UTF-8", codePage);
   if (converter == reinterpret_cast<iconv_t>(-1)) return {};
   constexpr std::size_t kMaxBytes = 3;  // of UTF-8 for one of Shift-JIS
   std::string from(bytes), text(kMaxBytes * bytes.size(), '\0');
@@ -141,6 +217,26 @@ std::string utf8OfShiftJis(std::string_view bytes) {
   if (failed == static_cast<std::size_t>(-1) || left > 0) return {};
   text.resize(text.size() - room);
   return text;
+}
+
+/// Returns a text that was encoded in UTF-8 twice, the second time as if it were Latin-1, as it was
+/// before: with "\u00B0C" for "\u00C2\u00B0C". Empty where it was not.
+std::string encodedOnce(std::string_view text) {
+  if (text.find("\u00C2") == text.npos && text.find("\u00C3") == text.npos) return {};
+  std::string bytes;
+  bytes.reserve(text.size());
+  while (!text.empty()) {
+    const auto [code, size] = firstCharacter(text);
+    const auto* const found = std::ranges::find(kMicrosoft, code);
+    if (code < 0x100)
+      bytes += static_cast<char>(code);
+    else if (found != kMicrosoft.end())
+      bytes += static_cast<char>(0x80 + (found - kMicrosoft.begin()));
+    else
+      return {};
+    text.remove_prefix(size);
+  }
+  return isUtf8(bytes) ? bytes : std::string();
 }
 
 /// Returns whether some carriage return is not followed by a line feed.
@@ -225,11 +321,17 @@ DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     text = withoutByteOrderMark(bytes);
   }
   if (encoding == "UTF-8" && !isUtf8(text)) {
-    converted = utf8OfShiftJis(text);
-    encoding = converted.empty() ? "Latin-1" : "Shift-JIS";
+    const auto page = codePageOf(text);
+    if (page) converted = utf8OfCodePage(text, page->name);
+    encoding = converted.empty() ? "Latin-1" : page->encoding;
     if (converted.empty()) converted = utf8OfLatin1(text);
     text = converted;
   }
+  if (encoding == "UTF-8")
+    if (std::string once = encodedOnce(text); !once.empty()) {
+      converted = std::move(once);
+      text = converted;
+    }
   // The padding of the last block of a file is no text.
   const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));
   text = text.substr(0, end == std::string_view::npos ? 0 : end + 1);

@@ -22,13 +22,13 @@ constexpr std::string_view withoutByteOrderMark(std::string_view bytes) {
 /// The text of a file in UTF-8, without its byte order mark, each line ended by LF or CR LF.
 struct DecodedText {
   std::string_view text;      // of the bytes given, or of `converted`
-  std::string_view encoding;  // "UTF-8", "UTF-16", "Shift-JIS" or "Latin-1"
+  std::string_view encoding;  // "UTF-8", "UTF-16", "Shift-JIS", "GBK", ..., or "Latin-1"
   std::string converted{};    // where the bytes could not stay as they are
 
   /// Decodes UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or, where the
-  /// bytes are not UTF-8, Shift-JIS where it has Japanese words of measurements, else Latin-1 in
-  /// Microsoft's variant. The bytes must outlive the object. Throws InputError that names the file
-  /// `name` where the bytes are no text.
+  /// bytes are not UTF-8, a code page of which it has words of measurements or a row of letters,
+  /// else Latin-1 in Microsoft's variant. The bytes must outlive the object. Throws InputError that
+  /// names the file `name` where the bytes are no text.
   DecodedText(std::string_view bytes, const std::string& name);
   DecodedText(const DecodedText&) = delete;  // the text may be its own
   DecodedText& operator=(const DecodedText&) = delete;

@@ -170,8 +170,8 @@ TextColumn parseColumnName(std::string_view text) {
     }
   }
 
-  // "v_m/s", "v m/s".
-  if (const std::size_t at = text.find_last_of("_ ");
+  // "v_m/s", "v m/s", "v,m/s".
+  if (const std::size_t at = text.find_last_of("_ ,");
       at != std::string_view::npos && at > 0 && text.find('/', at) != std::string_view::npos &&
       isUnitWord(text.substr(at + 1)))
     return makeScaledColumn(text.substr(0, at), text.substr(at + 1));
@@ -196,6 +196,20 @@ TextColumn parseColumnName(std::string_view text) {
       return makeScaledColumn(text.substr(0, at), unit);
   }
   return {std::string(text), {}};
+}
+
+std::optional<std::pair<TextColumn, TextColumn>> splitCorner(
+    const TextColumn& corner, const std::function<bool(const TextColumn&)>& isIts) {
+  const std::string_view name = corner.name;
+  const std::size_t stroke = name.find('\\');
+  if (stroke == name.npos) return {};
+  TextColumn rows = parseColumnName(name.substr(0, stroke)),
+             columns = parseColumnName(name.substr(stroke + 1));
+  if (columns.unit.empty() && isIts({columns.name, corner.unit}))
+    columns.unit = corner.unit;
+  else if (rows.unit.empty())
+    rows.unit = corner.unit;
+  return std::pair{rows, columns};
 }
 
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
@@ -245,11 +259,16 @@ bool isUnitField(std::string_view field) {
 
 bool areUnits(const std::vector<std::string>& fields) {
   std::size_t sure = 0, others = 0;
+  std::optional<double> factor;  // in front of units
   for (const std::string& field : fields) {
     if (trimmedField(field).empty()) continue;
     const std::string_view inner = withoutBrackets(withoutIn(field));
     const bool inBrackets = inner.size() != withoutIn(field).size();
-    // "[Data]" is the head of a section.
+    // "1 Hz" and "10 Hz" are conditions, and "[Data]" is the head of a section.
+    if (const auto scaled = scaledUnit(inner); scaled && !inBrackets && !scaled->power.isWritten) {
+      if (factor && *factor != scaled->power.value) return false;
+      factor = scaled->power.value;
+    }
     if (!isUnitField(field) ||
         isOneOf(lowerCase(inner), WordList("data values daten werte profile")))
       ++others;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/text_number.h"
@@ -38,6 +40,12 @@ TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 /// in mm", "x, mm", "x mm", "X_(microns)". In round brackets, after a slash, a blank or "_" only
 /// a known unit counts; the text in square brackets at the end is always a unit.
 TextColumn parseColumnName(std::string_view text);
+
+/// Splits the name in the corner of a matrix into those of its rows and of its columns: "f (Hz) \ T
+/// (\u00B0C)", of which one unit may have been taken for that of the whole. isIts: whether a column
+/// has a unit of its quantity. Empty where the name is none of a corner.
+std::optional<std::pair<TextColumn, TextColumn>> splitCorner(
+    const TextColumn& corner, const std::function<bool(const TextColumn&)>& isIts);
 
 /// Splits a line of names for `columns` columns. The names may be separated differently from the
 /// numbers: the first separator that gives this number of names is used; none where there is no

@@ -112,8 +112,16 @@ bool readGroupedNumber(std::string_view text, char decimal, double& number) {
 
 std::string lowerCase(std::string_view text) {
   std::string lower(text);
-  for (char& letter : lower)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    const auto letter = static_cast<unsigned char>(lower[i]);
+    lower[i] = static_cast<char>(std::tolower(letter));
+    if (letter != 0xD0 || i + 1 == lower.size()) continue;
+    // U+0410 to U+042F in UTF-8; the small letters are 32 places behind.
+    const auto second = static_cast<unsigned char>(lower[i + 1]);
+    if (second < 0x90 || second > 0xAF) continue;
+    lower[i] = second < 0xA0 ? '\xD0' : '\xD1';
+    lower[++i] = static_cast<char>(second < 0xA0 ? second + 0x20 : second - 0x20);
+  }
   return lower;
 }
 

@@ -55,7 +55,7 @@ bool beginsAsNumber(std::string_view field);
 /// "#DIV/0!".
 bool beginsWithSpreadsheetError(std::string_view text);
 
-/// Returns the text with the letters of ASCII in lower case.
+/// Returns the text with the letters of ASCII and of Russian in lower case.
 std::string lowerCase(std::string_view text);
 
 /// Returns whether the byte is a digit of ASCII.

@@ -57,10 +57,15 @@ std::vector<const TextEntry*> TextTable::entriesAbove(const TextBlock& block) co
 }
 
 std::string TextTable::entry(std::string_view key, const TextBlock& block) const {
-  const std::string wanted = lowerCase(key);
+  const auto spelled = [](std::string_view text) {
+    std::string word = lowerCase(text);
+    std::ranges::replace(word, '_', ' ');
+    return word;
+  };
+  const std::string wanted = spelled(key);
   std::string found;
   for (const TextEntry* const entry : entriesAbove(block))
-    if (lowerCase(entry->key) == wanted) found = entry->value;
+    if (spelled(entry->key) == wanted) found = entry->value;
   return found;
 }
 

@@ -409,7 +409,14 @@ class TableReader {
     const auto ones = static_cast<std::size_t>(std::ranges::count(fields_, "1"));
     if (ones == countOf(FieldKind::Number) && areUnits({fields_.begin(), fields_.end()}))
       return false;
-    if (keyEnd(line.text) != std::string_view::npos) return false;
+    // The colon of a time of day ends no key.
+    const auto hasKey = [](std::string_view field) {
+      return keyEnd(field) != std::string_view::npos && !isDateOrTime(field);
+    };
+    const bool hasTime = std::ranges::any_of(fields_, isDateOrTime);
+    if (hasTime ? std::ranges::any_of(fields_, hasKey)
+                : keyEnd(line.text) != std::string_view::npos)
+      return false;
     const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,
                                 [](const TextColumn& column) { return column.name.empty(); });

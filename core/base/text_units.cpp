@@ -18,7 +18,8 @@ using namespace std::string_view_literals;
 /// Words for units in addition to those of findUnit and the lengths, in lower case.
 constexpr WordList kOtherWords(
     "a, c, h, k, %, -, 1, px, pixel, pixels, percent, counts, a.u., arb, arb. units, seconds, rad, "
-    "rad/s, rad s-1, rad*s-1, rad/sec, deg c, deg. c, \u00B0k, n/m, pa.s, pa s, pa\u00B7s",
+    "rad/s, rad s-1, rad*s-1, rad/sec, deg c, deg. c, deg f, deg. f, \u00B0k, n/m, pa.s, pa s, "
+    "pa\u00B7s",
     ',');
 
 /// Symbols in lower case that may have a prefix, in any case: "KHZ", "MM/S".
@@ -69,6 +70,7 @@ bool isUnitWord(std::string_view text) {
   const std::string word = lowerCase(text);
   if (isOneOf(word, kOtherWords)) return true;
   if (text.size() > 1 && (findUnit(text) || metresPer(text))) return true;
+  if (text.find_first_of("/1") != text.npos && frequencySize(text, true)) return true;
   // "1/MPa" of a compliance
   if (text.starts_with("1/") && findUnit(text.substr(2), "Pa")) return true;
   // "1/nm" and "um^3" are units; a letter with a digit, such as "A2", is more likely a name than a
@@ -90,6 +92,7 @@ bool isKnownUnit(std::string_view text) {
 
 std::optional<double> metresPer(std::string_view unit) {
   unit = withoutBrackets(unit);
+  if (unit.ends_with('.')) unit.remove_suffix(1);  // "in."
   if (const auto metres = namedLength(unit)) return metres;
   const auto scaled = scaledUnit(unit);
   const auto metres = scaled ? namedLength(scaled->unit) : std::nullopt;

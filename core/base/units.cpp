@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -67,6 +69,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array kOthers{
     OtherUnit{"%", {"", -2}},
+    OtherUnit{"\u2030", {"", -3}},
     OtherUnit{"\u00B0C \u00BAC \u2103 degC C celsius", {"K", 0, 1, kZeroCelsius}},
     OtherUnit{"\u00B0F degF F fahrenheit", {"K", 0, 5.0 / 9, 459.67}},
     OtherUnit{"kelvin", {"K"}},
@@ -119,10 +122,38 @@ constexpr std::array kOthers{
     OtherUnit{"radian radians", {"rad"}},
 };
 
+/// Writes a unit in Russian letters in Latin ones: "MPa", "Hz", "mm/s", "rad/s", "C".
+void spellInLatin(std::string& text) {
+  if (text.find_first_of("\xD0\xD1") == text.npos) return;
+  constexpr std::pair<std::string_view, std::string_view> kSpellings[] = {
+      {"\u0413\u0446", "Hz"},                      // Gts
+      {"\u043E\u0431/\u043C\u0438\u043D", "rpm"},  // ob/min
+      {"\u043A\u0433\u0441", "kgf"},
+      {"\u043C\u043A\u043C", "um"},
+      {"\u0441\u043C", "cm"},
+      {"\u041F", "P"},
+      {"\u0430", "a"},
+      {"\u041C", "M"},
+      {"\u043C", "m"},
+      {"\u041A", "K"},
+      {"\u043A", "k"},
+      {"\u0413", "G"},
+      {"\u0421", "C"},
+      {"\u0441", "s"},
+      {"\u041D", "N"},
+      {"\u043D", "n"},
+      {"\u0440", "r"},
+      {"\u0434", "d"},
+      {"\u0438", "i"},
+      {"\u0447", "h"}};
+  for (const auto& [letters, latin] : kSpellings) replaceAll(text, letters, latin);
+}
+
 /// Returns the usual spelling of products and powers: "Pa s" for "Pa\u00B7s" and "Pa*s", "m/s" for
 /// "m s-1", "N/mm2" for "N/mm\u00B2" and "N/mm^2".
 std::string usualSpelling(std::string_view name) {
   std::string text(trimmedBlanks(name));
+  spellInLatin(text);
   for (const std::string_view times : {"\u00B7"sv, "\u22C5"sv, "*"sv}) replaceAll(text, times, " ");
   replaceAll(text, "\u207B\u00B9", "-1");
   replaceAll(text, "^", "");
@@ -148,6 +179,16 @@ std::optional<Unit> other(const std::string& text) {
       if (name == text || (name.size() >= kShort && lowerCase(name) == lowerCase(text)))
         return one.unit;
   return {};
+}
+
+/// Reads a velocity as a length over a time: "mm/h", "\u00B5m/min".
+std::optional<Unit> lengthOverTime(std::string_view text) {
+  const std::size_t stroke = text.find('/');
+  if (stroke == text.npos) return {};
+  const auto length = findUnit(text.substr(0, stroke), "m");
+  const auto time = findUnit(text.substr(stroke + 1), "s");
+  if (!length || !time) return {};
+  return Unit{"m/s", length->exponent - time->exponent, length->size / time->size, 0};
 }
 
 const Dimension* dimensionOf(std::string_view si) {
@@ -238,7 +279,8 @@ std::optional<Unit> findUnit(std::string_view name, std::string_view si) {
   const std::string text = usualSpelling(name);
   if (const auto found = other(text); found && found->si == si) return found;
   const Dimension* dimension = dimensionOf(si);
-  return dimension ? withPrefix(text, dimension->si) : std::nullopt;
+  const auto found = dimension ? withPrefix(text, dimension->si) : std::nullopt;
+  return found || si != "m/s" ? found : lengthOverTime(text);
 }
 
 std::optional<Unit> findUnit(std::string_view name) {
@@ -246,7 +288,7 @@ std::optional<Unit> findUnit(std::string_view name) {
   if (const auto found = other(text)) return found;
   for (const Dimension& dimension : kDimensions)
     if (const auto found = withPrefix(text, dimension.si)) return found;
-  return {};
+  return lengthOverTime(text);
 }
 
 bool isFemtoUnit(std::string_view name) {
@@ -287,6 +329,34 @@ std::optional<double> unitSize(std::string_view name, std::string_view si) {
   const auto unit = unitInAnyCase(scaled ? scaled->unit : name, si);
   if (!unit || unit->offset != 0) return {};
   return unit->toSi(1) * (scaled ? scaled->power.value : 1);
+}
+
+std::optional<double> frequencySize(std::string_view unit, bool isAngular) {
+  constexpr double kAngular = 0.5 / std::numbers::pi;
+  if (const auto scaled = scaledUnit(unit)) {
+    const auto size = frequencySize(scaled->unit, isAngular);
+    return size ? std::optional(scaled->power.value * *size) : std::nullopt;
+  }
+  const std::string text = usualSpelling(unit);
+  const std::size_t stroke = text.find('/');
+  const bool isInverse = stroke == text.npos && text.ends_with("-1");  // "s-1", "min-1"
+  std::string_view above = std::string_view(text).substr(0, stroke), below = "s";
+  if (stroke != text.npos) below = std::string_view(text).substr(stroke + 1);
+  if (isInverse)
+    std::tie(above, below) = std::pair("1"sv, std::string_view(text).substr(0, text.size() - 2));
+  const std::string word = lowerCase(trimmedBlanks(above));
+  const std::string time = lowerCase(trimmedBlanks(below));
+  const auto seconds = isOneOf(time, "second seconds") ? std::optional(1.0)
+                       : time == "minute"              ? std::optional(60.0)
+                                                       : unitSize(time, "s");
+  if (!seconds) return {};
+  if (isOneOf(word, "rad radian radians rads")) return kAngular / *seconds;
+  if (isOneOf(word, "krad mrad"))
+    return kAngular * (above.starts_with('m') ? 1e-3 : word == "krad" ? 1e3 : 1e6) / *seconds;
+  if (stroke == text.npos && !isInverse) return unitSize(text, "Hz");
+  if (word == "1") return (isAngular ? kAngular : 1) / *seconds;
+  if (isOneOf(word, "cycle cycles cyc c rev u")) return 1 / *seconds;
+  return isOneOf(word, "deg \u00B0") ? std::optional(1 / (360 * *seconds)) : std::nullopt;
 }
 
 std::string unitNames(std::string_view si) {

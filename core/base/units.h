@@ -48,6 +48,10 @@ bool isFemtoUnit(std::string_view name);
 /// "10^6 Pa". Empty where it is none.
 std::optional<double> unitSize(std::string_view name, std::string_view si);
 
+/// Returns one unit of frequency in Hz: "kHz", "rpm", "1/s", or of angular frequency: "rad/s",
+/// "krad/s", "deg/s". "1/s" of an angular frequency is a radian per second. Empty where it is none.
+std::optional<double> frequencySize(std::string_view unit, bool isAngular);
+
 /// Returns "Pa, kPa, MPa, GPa, kN/m2, ..., psi": the units that measure what the SI unit measures,
 /// with their usual prefixes and without other spellings, for messages.
 std::string unitNames(std::string_view si);

@@ -74,5 +74,34 @@ TEST(DecodedText, ShiftJisIsKnownByItsWords) {
   EXPECT_EQ(DecodedText("\x89\xB7\x93\x78\x89", "mine.csv").encoding, "Latin-1");
 }
 
+TEST(DecodedText, CodePagesAreKnownByTheirWords) {
+  const auto encoding = [](const std::string& bytes) {
+    return std::string(DecodedText(bytes + ";mu\n1;2\n", "mine.csv").encoding);
+  };
+  // Words for friction, temperature, velocity and modulus.
+  EXPECT_EQ(encoding("\xD1\xEA\xEE\xF0\xEE\xF1\xF2\xFC"), "Windows-1251");
+  EXPECT_EQ(encoding("H\xFDz (mm/s)"), "Windows-1254");
+  EXPECT_EQ(encoding("Sou\xE8initel t\xF8"
+                     "en\xED"),
+            "Windows-1250");
+  EXPECT_EQ(encoding("\xC4\xA6\xB2\xC1\xCF\xB5\xCA\xFD"), "GBK");
+  EXPECT_EQ(encoding("\xB8\xB6\xC2\xFB\xB0\xE8\xBC\xF6"), "EUC-KR");
+  EXPECT_EQ(encoding("Pr\xFC"
+                     "fung \xE9t\xE9 \xC5\xE4\xF6"),
+            "Latin-1");
+  EXPECT_EQ(DecodedText("\xD1\xEA\xEE\xF0\xEE\xF1\xF2\xFC", "mine.csv").text,
+            "\u0421\u043A\u043E\u0440\u043E\u0441\u0442\u044C");
+}
+
+TEST(DecodedText, UndoesASecondEncoding) {
+  const auto text = [](const std::string& bytes) {
+    return std::string(DecodedText(bytes, "mine.csv").text);
+  };
+  EXPECT_EQ(text("T (\u00C2\u00B0C);z (\u00C2\u00B5m);H\u00C3\u00B6he\n"),
+            "T (\u00B0C);z (\u00B5m);H\u00F6he\n");
+  for (const char* once : {"Profondit\u00C3 \u00B0C\n", "\u00C2ge (\u00B5m)\n", "T (\u00B0C)\n"})
+    EXPECT_EQ(text(once), once);
+}
+
 }  // namespace
 }  // namespace asperity

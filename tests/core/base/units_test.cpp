@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -142,6 +145,55 @@ TEST(Units, AreListedFromTheirTable) {
   EXPECT_EQ(unitNames("m/s"),
             "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, knots, m/min, cm/min, mm/min, "
             "in/min, ft/min");
+}
+
+/// Frequencies in cycles and angular frequencies in radians or degrees, per any unit of time.
+TEST(Units, FrequenciesHaveManyUnits) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  for (const auto& [unit, hertz] : {std::pair("Hz", 1.0),
+                                    {"kHz", 1e3},
+                                    {"cycles/s", 1},
+                                    {"1/min", 1.0 / 60},
+                                    {"min-1", 1.0 / 60},
+                                    {"rpm", 1.0 / 60},
+                                    {"U/min", 1.0 / 60},
+                                    {"rad/s", 1 / kTurn},
+                                    {"krad/s", 1e3 / kTurn},
+                                    {"mrad/s", 1e-3 / kTurn},
+                                    {"Mrad/s", 1e6 / kTurn},
+                                    {"rad/min", 1 / kTurn / 60},
+                                    {"rad/ms", 1e3 / kTurn},
+                                    {"radians/sec", 1 / kTurn},
+                                    {"rad s^-1", 1 / kTurn},
+                                    {"10^3 rad/s", 1e3 / kTurn},
+                                    {"deg/s", 1.0 / 360},
+                                    {"\u0440\u0430\u0434/\u0441", 1 / kTurn},
+                                    {"\u0413\u0446", 1}})
+    EXPECT_NEAR(frequencySize(unit, false).value_or(0), hertz, 1e-12 * hertz) << unit;
+  EXPECT_NEAR(frequencySize("1/s", true).value_or(0), 1 / kTurn, 1e-12);
+  EXPECT_NEAR(frequencySize("1/s", false).value_or(0), 1, 1e-12);
+  for (const char* none : {"", "1", "m/s", "N/s", "rad/mm", "1/mm", "-1", "Pa-1", "furlong"})
+    EXPECT_FALSE(frequencySize(none, true)) << none;
+}
+
+TEST(Units, RussianLettersAreThoseOfTheSameUnits) {
+  for (const auto& [written, si, size] : {std::tuple("\u041C\u041F\u0430", "Pa", 1e6),
+                                          {"\u043C\u043C/\u0441", "m/s", 1e-3},
+                                          {"\u043A\u041D", "N", 1e3},
+                                          {"\u043C\u041D", "N", 1e-3},
+                                          {"\u043C\u043A\u043C", "m", 1e-6},
+                                          {"\u0441\u043C", "m", 1e-2},
+                                          {"\u043A\u0433\u0441/\u0441\u043C\u00B2", "Pa", 98066.5}})
+    EXPECT_NEAR(unitSize(written, si).value_or(0), size, 1e-9 * size) << written;
+}
+
+TEST(Units, AVelocityIsAnyLengthOverAnyTime) {
+  EXPECT_NEAR(unitSize("mm/h", "m/s").value_or(0), 1e-3 / 3600, 1e-18);
+  EXPECT_NEAR(unitSize("\u00B5m/min", "m/s").value_or(0), 1e-6 / 60, 1e-20);
+  EXPECT_NEAR(unitSize("m/ms", "m/s").value_or(0), 1e3, 1e-9);
+  EXPECT_FALSE(unitSize("m/m", "m/s"));
+  EXPECT_FALSE(unitSize("N/s", "m/s"));
+  EXPECT_EQ(findUnit("km/h")->toSi(3.6), 1);
 }
 
 }  // namespace
