@@ -21,8 +21,12 @@ namespace {
 constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa, of rubber
 
 ModulusKind modulusKind(std::string_view word) {
-  if (containsOneOf(word, "shear schub torsion")) return ModulusKind::Shear;
-  if (containsOneOf(word, "young tensil tension zug bend biege compress"))
+  if (containsOneOf(word, "shear schub torsion \u0441\u0434\u0432\u0438\u0433 kayma smyk"))
+    return ModulusKind::Shear;
+  if (containsOneOf(
+          word,
+          "young elastizitaetsmod tensil tension zug bend biege compress "
+          "\u0440\u0430\u0441\u0442\u044F\u0436 \u044E\u043D\u0433\u0430 \u00E7ekme tahov"))
     return ModulusKind::Tension;
   if (beginsWithOneOf(word, "j |j eta |eta \u03B7 |\u03B7") ||
       containsOneOf(word, "viscosi viskosi"))
@@ -33,7 +37,7 @@ ModulusKind modulusKind(std::string_view word) {
   // "g'", "|e*|", "storagemodulusg'", "estorage"
   if (word.starts_with("g") && word != "gamma") return ModulusKind::Shear;
   if (word.starts_with("|g")) return ModulusKind::Shear;
-  if (word.starts_with("|e") || (word.starts_with("e") && !word.starts_with("elastic")))
+  if (word.starts_with("|e") || (word.starts_with("e") && !word.starts_with("elasti")))
     return ModulusKind::Tension;
   if (word.find("g'") != word.npos || word.find("g*") != word.npos) return ModulusKind::Shear;
   if (word.find("e'") != word.npos || word.find("e*") != word.npos) return ModulusKind::Tension;
@@ -45,6 +49,10 @@ ModulusKind modulusKind(std::string_view word) {
 bool namesTemperature(std::string_view word) {
   if (word == "temps" || word.starts_with("tempsde")) return false;
   if (isOneOf(word,
+              "\u0442\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430 "
+              "\u0442\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430\u043E\u0431\u0440"
+              "\u0430\u0437\u0446\u0430 "
+              "s\u0131cakl\u0131k sicaklik teplota "
               "\u6E29\u5EA6 \u6E2C\u5B9A\u6E29\u5EA6 \u8A66\u9A13\u6E29\u5EA6 "
               "\u8A66\u6599\u6E29\u5EA6 \u6D4B\u8BD5\u6E29\u5EA6 \uC628\uB3C4"))
     return true;
@@ -91,11 +99,17 @@ DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
   const bool isLossTangent =
-      containsOneOf(word,
-                    "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
-                    "verlustfaktor daempfungsfaktor tangentdelta facteurdeperte fattorediperdita "
-                    "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570 "
-                    "\u635F\u8017\u56E0\u5B50 \uC190\uC2E4\uACC4\uC218") ||
+      containsOneOf(
+          word,
+          "tgdelta \u0442\u0430\u043D\u0433\u0435\u043D\u0441\u0443\u0433\u043B "
+          "\u0442\u0430\u043D\u0433\u0435\u043D\u0441\u043F\u043E\u0442\u0435\u0440\u044C "
+          "\u0442\u0430\u043D\u0433\u0435\u043D\u0441\u043C\u0435\u0445\u0430\u043D\u0438\u0447"
+          "\u0435\u0441\u043A "
+          "kay\u0131pfakt kay\u0131ptan ztratov\u00FD\u010Dinitel "
+          "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
+          "verlustfaktor daempfungsfaktor tangentdelta facteurdeperte fattorediperdita "
+          "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570 "
+          "\u635F\u8017\u56E0\u5B50 \uC190\uC2E4\uACC4\uC218") ||
       word == "tan";
   if (isLossTangent) return LossTangent;
   if (containsOneOf(word, "strainrate energy energie stiffness torque")) return None;
@@ -103,6 +117,7 @@ DmaQuantity dmaQuantity(std::string_view word) {
     return partOf(word, form);
   if (containsOneOf(
           word,
+          "\u0447\u0430\u0441\u0442\u043E\u0442 frekans pulsation pulsazion "
           "freq frecuenc frekven stotliwo \u5468\u6CE2\u6570 \u9891\u7387 \uC8FC\uD30C\uC218") ||
       isOneOf(word, "f nu omega w angular"))
     return isReducedFrequency(word) ? ReducedFrequency : Frequency;
@@ -117,26 +132,39 @@ DmaQuantity dmaQuantity(std::string_view word) {
       modulusKind(word) != ModulusKind::Unknown || word.find("modul") != word.npos;
   if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil")) return Loss;
   if (isOfModulus && containsOneOf(word, "realpart realteil")) return Storage;
+  if (isOneOf(word, "img* ime*")) return Loss;
+  if (isOneOf(word, "reg* ree*")) return Storage;
   if (containsOneOf(
           word,
+          "\u043C\u043E\u0434\u0443\u043B\u044C\u043F\u043E\u0442\u0435\u0440\u044C "
+          "\u043C\u043E\u0434\u0443\u043B\u044C\u043C\u0435\u0445\u0430\u043D\u0438\u0447\u0435"
+          "\u0441\u043A\u0438\u0445\u043F\u043E\u0442\u0435\u0440\u044C "
+          "kay\u0131pmod kayipmod ztratov\u00FDmod "
           "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
           "moduledeperte modulevisqueux modulodiperdita modulodissipativo moduloviscoso "
           "modulodeperdida modulodeperda verliesmod stratno \u640D\u5931\u5F3E\u6027\u7387 "
           "\u635F\u8017\u6A21\u91CF \uC190\uC2E4\uD0C4\uC131\uB960") ||
       isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
     return Loss;
-  if (containsOneOf(word,
-                    "g' e' m' storage speicher gprime eprime elasticmod moduledeconservation "
-                    "moduleelastique moduloelastico moduloconservativo modulodealmacenamiento "
-                    "modulodearmazenamento opslagmod zachowawcz \u8CAF\u8535\u5F3E\u6027\u7387 "
-                    "\u50A8\u80FD\u6A21\u91CF \uC800\uC7A5\uD0C4\uC131\uB960") ||
+  if (containsOneOf(
+          word,
+          "\u043C\u043E\u0434\u0443\u043B\u044C\u043D\u0430\u043A\u043E\u043F\u043B\u0435"
+          "\u043D\u0438\u044F "
+          "depolamamod saklamamod pam\u011B\u0165ov\u00FDmod "
+          "g' e' m' storage stormod speicher gprime eprime elasticmod moduledeconservation "
+          "moduleelastique moduloelastico moduloconservativo modulodealmacenamiento "
+          "modulodearmazenamento opslagmod zachowawcz \u8CAF\u8535\u5F3E\u6027\u7387 "
+          "\u50A8\u80FD\u6A21\u91CF \uC800\uC7A5\uD0C4\uC131\uB960") ||
       isOneOf(word, "g1 e1 gp ep greal ereal"))
     return Storage;
   if (containsOneOf(word, "phase phasen lossangle verlustwinkel") || word == "delta") return Phase;
   if (containsOneOf(word, "g* e* complexmod komplexermod dynamicmod absmod") ||
       isOneOf(word, "m* |m*| |m| gabs eabs |g| |e| gstar estar gmag emag"))
     return Magnitude;
-  if (containsOneOf(word, "strain gamma dehnung deformation")) return Strain;
+  if (containsOneOf(word,
+                    "strain gamma dehnung deformation "
+                    "\u0434\u0435\u0444\u043E\u0440\u043C\u0430\u0446\u0438 gerinim deformace"))
+    return Strain;
   return None;
 }
 
@@ -192,7 +220,16 @@ bool isOfDeviation(std::string_view name, const std::vector<std::string>& words)
 /// Returns whether a word is made of those that name moduli and how they were measured.
 bool isMadeOfKnownWords(std::string_view word) {
   constexpr WordList kParts(
-      "storage loss modulus moduli module modul mod dyn shear youngs young tensile tension "
+      "\u043C\u043E\u0434\u0443\u043B\u044C "
+      "\u043D\u0430\u043A\u043E\u043F\u043B\u0435\u043D\u0438\u044F "
+      "\u043F\u043E\u0442\u0435\u0440\u044C "
+      "\u043C\u0435\u0445\u0430\u043D\u0438\u0447\u0435\u0441\u043A\u0438\u0445 "
+      "\u0443\u043F\u0440\u0443\u0433\u043E\u0441\u0442\u0438 "
+      "\u0441\u0434\u0432\u0438\u0433\u0430 "
+      "\u0434\u0438\u043D\u0430\u043C\u0438\u0447\u0435\u0441\u043A\u0438\u0439 "
+      "elastik viskoz dinamik depolama saklama kay\u0131p kayip mod\u00FCl\u00FC mod\u00FCl "
+      "pam\u011B\u0165ov\u00FD ztr\u00E1tov\u00FD "
+      "storage stor loss modulus moduli module modul mod dyn shear youngs young tensile tension "
       "torsional "
       "torsion compression compressive bending bend flexural complex dynamic elastic viscous real "
       "imaginary imag part phase absolute abs magnitude mag star prime double tangent tan delta "
@@ -238,7 +275,7 @@ std::string unknownWords(std::string_view name) {
         isOneOf(word,
                 "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
                 "dprime gdoubleprime edoubleprime gstar estar greal ereal gimag eimag gstorage "
-                "estorage gloss eloss lossg "
+                "estorage gloss eloss lossg re im "
                 "losse log lg ln log10 de di j") ||
         isMadeOfKnownWords(withoutGluedSymbol(word)))
       continue;
@@ -331,6 +368,11 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   column.kind = modulusKind(plain);
   column.form = formOfName(plain);
   std::vector<std::string> words = wordsOf(word);
+  // "Storage_Modulus_G"
+  if (isModulus(column.quantity) && column.kind == ModulusKind::Unknown && !words.empty())
+    column.kind = words.back() == "g"   ? ModulusKind::Shear
+                  : words.back() == "e" ? ModulusKind::Tension
+                                        : ModulusKind::Unknown;
   // "D'" is a compliance, and "dE'" the deviation of a modulus.
   if (column.form == MeasuredForm::Compliance && !words.empty() && words.front() == "d")
     words.front() = "j";
@@ -351,8 +393,15 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   if (column.quantity == DmaQuantity::Temperature && unitSize(unit, "s"))
     column.quantity = DmaQuantity::None;
   if (isMeasured(column.quantity)) column.unknown = unknownWords(word);
-  column.isAngular = containsOneOf(plain, "omega angular kreisfreq") || plain == "w" ||
-                     isOneOf(plain, kReducedAngularSymbols);
+  column.isAngular =
+      containsOneOf(
+          plain,
+          "omega angular angulaire angolare pulsa kreisfreq "
+          "\u0443\u0433\u043B\u043E\u0432\u0430\u044F\u0447\u0430\u0441\u0442\u043E\u0442 "
+          "\u043A\u0440\u0443\u0433\u043E\u0432\u0430\u044F\u0447\u0430\u0441\u0442\u043E\u0442 "
+          "\u0446\u0438\u043A\u043B\u0438\u0447\u0435\u0441\u043A\u0430\u044F\u0447\u0430\u0441"
+          "\u0442\u043E\u0442 a\u00E7\u0131sal \u00FAhlov") ||
+      plain == "w" || isOneOf(plain, kReducedAngularSymbols);
   return column;
 }
 

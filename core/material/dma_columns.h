@@ -1,5 +1,5 @@
 // What the columns of a table of dynamic moduli mean: names and units as rheometers, analysers
-// (DMA) and people write them, in English, German, French, Italian, Spanish and Japanese. Pure
+// (DMA) and people write them, in many languages. Pure
 // functions; any thread.
 #pragma once
 

@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/material/dma_cells.h"
+#include "core/material/dma_matrices.h"
 #include "core/material/dma_moduli.h"
 #include "core/material/dma_samples.h"
 #include "core/material/dma_sweeps.h"
@@ -136,10 +137,9 @@ class Reader {
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   }
 
-  /// Returns the numbers of a column of temperatures, which may stand in the first row of each
-  /// sweep alone.
-  std::vector<double> temperaturesOf(const TextBlock& block, std::size_t column,
-                                     std::size_t modulus) {
+  /// Returns the numbers of a column of temperatures or frequencies, which may stand in the first
+  /// row of each sweep alone.
+  std::vector<double> statesOf(const TextBlock& block, std::size_t column, std::size_t modulus) {
     auto filled = filledDown(block, column, modulus);
     if (!filled) return block.column(column);
     addNote(standsInFirstRows(block.label(column)));
@@ -181,11 +181,11 @@ class Reader {
     facts.modulus = moduli.kind;
     for (Message& note : moduli.notes) addNote(std::move(note));
     std::vector<double> temperatures;
-    if (!oneTemperature)
-      temperatures = temperaturesOf(in.block, columns[Temperature], moduli.first);
+    if (!oneTemperature) temperatures = statesOf(in.block, columns[Temperature], moduli.first);
+    std::vector<double> frequencies;
+    if (hasFrequencies) frequencies = statesOf(in.block, frequencyAt, moduli.first);
     for (std::size_t row = 0; row < in.block.rows; ++row) {
-      const double hertz =
-          hasFrequencies ? in.block.at(row, frequencyAt) * frequency.size : *columns.frequency;
+      const double hertz = hasFrequencies ? frequencies[row] * frequency.size : *columns.frequency;
       const double first = in.block.at(row, moduli.first) * moduli.firstSize;
       const double second = in.block.at(row, moduli.second) * moduli.secondSize;
       const double temperature = oneTemperature ? *oneTemperature : scale.toSi(temperatures[row]);
@@ -365,6 +365,7 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
   std::vector<Message> ofCells;
+  joinMatrices(table, ofCells);
   transposeRows(table, isSweep, ofCells);
   separateCells(table, name, ofCells);
   undoLogarithms(

@@ -47,6 +47,16 @@ ModulusKind kindOfLine(const TextEntry& entry) {
         containsOneOf(line, "shear scher schub torsion parallel cone sandwich") ||
             std::ranges::any_of(wordsIn(line), isSystem),
         containsOneOf(line, "tension tensile zug compress bend biege cantilever film"));
+  constexpr WordList kShear(
+      "shear test, simple shear, double shear, shear mode, in shear, shear modul, schubmodul, "
+      "scherversuch, schubversuch",
+      ',');
+  constexpr WordList kTension(
+      "tensile test, tension test, tensile mode, tension mode, in tension, young's modul, "
+      "elastizit\u00E4tsmodul, zugversuch, zugmodus",
+      ',');
+  if (containsOneOf(line, kShear) || containsOneOf(line, kTension))
+    return kindOfWords(containsOneOf(line, kShear), containsOneOf(line, kTension));
   const std::vector<std::string> words = wordsIn(line);
   if (!containsOneOf(line, "instrument ger\u00E4t device rheometer")) return ModulusKind::Unknown;
   const bool isRheometer = std::ranges::any_of(words, [](const std::string& word) {

@@ -122,14 +122,25 @@ std::vector<double> withoutRepeats(std::vector<double> values) {
 /// the unit: "T / \u00B0C;-20;;-5".
 std::vector<double> temperaturesIn(const TextEntry& entry) {
   std::vector<double> all = findTemperatures(entry.key + " " + entry.value);
-  const TextColumn key = parseColumnName(entry.key);
-  if (!all.empty() || dmaColumn(key).quantity != Temperature) return all;
-  std::string numbers = entry.value;
-  std::ranges::replace(numbers, ',', '.');
-  for (const std::string_view word : WordList(numbers)) {
-    double number = 0;
-    if (!readTextNumber(word, '.', number)) return {};
-    all.push_back(number);
+  if (!all.empty()) return all;
+  TextColumn key = parseColumnName(entry.key);
+  if (dmaColumn(key).quantity == Temperature) {
+    std::string numbers = entry.value;
+    std::ranges::replace(numbers, ',', '.');
+    for (const std::string_view word : WordList(numbers)) {
+      double number = 0;
+      if (!readTextNumber(word, '.', number)) return {};
+      all.push_back(number);
+    }
+  } else {
+    for (const std::string_view clause : splitClauses(entry.value)) {  // "T = -20;;T = -5"
+      const auto stated = parseStatement(clause);
+      if (!stated || !stated->unit().empty() ||
+          dmaColumn(stated->name.name, {}).quantity != Temperature)
+        return {};
+      all.push_back(stated->quantity.number);
+      key = stated->name;
+    }
   }
   if (all.empty()) return {};
   const std::string unit =

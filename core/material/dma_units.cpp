@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/intervals.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
@@ -159,6 +160,16 @@ std::optional<double> lossTangentSize(const DmaBlock& in, std::size_t column) {
 
 SizedColumn lossTangentColumn(const DmaBlock& in, std::size_t column) {
   const DmaColumnFact fact = columnFact(in, column, {});
+  std::vector<double> values = in.block.column(column);
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  constexpr double kLargest = 3;  // median of a rubber
+  const double median = values.empty() ? 0 : upperMedian(std::move(values));
+  if (fact.unit.empty() && median > kLargest)
+    throw InputError(in.fileName, fact.name,
+                     message("has no unit, and its median is {:.3g}, more than that of a rubber; "
+                             "write its unit after the name, as in \"tan delta (%)\" or \"tan "
+                             "delta (1)\"",
+                             median));
   if (const auto size = tangentSize(fact.unit)) return {{fact.name, {}, false}, *size};
   throw InputError(in.fileName, fact.name,
                    message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));

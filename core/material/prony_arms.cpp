@@ -195,18 +195,6 @@ std::optional<SeriesColumns> seriesColumns(const TextBlock& block, const std::st
 
 // ---- Units --------------------------------------------------------------------------------------
 
-/// Returns the size of a unit of time in s; nothing where it is none.
-std::optional<double> timeSize(std::string_view unit) {
-  const std::string word(withoutEnd(lowerCase(unit), "."));
-  if (isOneOf(word, "second seconds sekunde sekunden")) return 1;
-  if (isOneOf(word, "msec millisecond milliseconds")) return 1e-3;
-  if (isOneOf(word, "usec \u00B5sec \u03BCsec microsecond microseconds")) return 1e-6;
-  if (isOneOf(word, "min minute minutes minuten")) return 60;
-  if (isOneOf(word, "hr hrs hour hours stunde stunden")) return 3600;
-  if (isOneOf(word, "d day days tag tage")) return 86400;
-  return unitSize(withoutEnd(unit, "."), "s");
-}
-
 /// Returns the unit of a column of times or rates. A text in brackets, or after a slash, at the
 /// end of its name is a unit, too; empty where there is none, as in "tau (relaxation time)".
 std::string writtenUnit(const TextColumn& column) {
@@ -425,6 +413,17 @@ void decideParts(const std::string& name, RawSeries& series, SeriesRows& rows) {
 }
 
 }  // namespace
+
+std::optional<double> timeSize(std::string_view unit) {
+  const std::string word(withoutEnd(lowerCase(unit), "."));
+  if (isOneOf(word, "second seconds sekunde sekunden")) return 1;
+  if (isOneOf(word, "msec millisecond milliseconds")) return 1e-3;
+  if (isOneOf(word, "usec \u00B5sec \u03BCsec microsecond microseconds")) return 1e-6;
+  if (isOneOf(word, "min minute minutes minuten")) return 60;
+  if (isOneOf(word, "hr hrs hour hours stunde stunden")) return 3600;
+  if (isOneOf(word, "d day days tag tage")) return 86400;
+  return unitSize(withoutEnd(unit, "."), "s");
+}
 
 double modulusSize(const std::string& unit, const std::string& name, const std::string& key) {
   for (const std::string_view text :

@@ -144,6 +144,12 @@ std::optional<PronyFile> readPronyFile(std::string_view text, const TextTable* t
                                        const std::string& name, const PronyChoices& choices) {
   std::optional<RawSeries> series = keywordSeries(text, name, choices);
   if (!series && table) series = tableSeries(*table, name, choices);
+  // A table of several numbers in each row is one of measurements.
+  const auto hasRows = [](const TextBlock& block) {
+    return std::ranges::count(block.columns, false, &TextColumn::isText) > 1;
+  };
+  if (!series && !(table && std::ranges::any_of(table->blocks, hasRows)))
+    if (const auto arms = tableOfNamedArms(text, name)) series = tableSeries(*arms, name, choices);
   if (!series) return {};
   return finished(*series, name, choices);
 }

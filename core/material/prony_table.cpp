@@ -32,7 +32,7 @@ std::string modulusLetter(std::string_view name) {
 /// Returns the kind of modulus that a plain word names: "e0", "einf", "gi", "youngsmodulus".
 ModulusKind kindOfModulus(std::string_view word) {
   if (containsOneOf(word, "young tensile") || word.starts_with("zug")) return ModulusKind::Tension;
-  if (containsOneOf(word, "shear schub")) return ModulusKind::Shear;
+  if (containsOneOf(word, "shear schub cisaillement taglio corte")) return ModulusKind::Shear;
   if (word.starts_with("e") && !word.starts_with("equilibrium")) return ModulusKind::Tension;
   if (word.starts_with("g") && !beginsWithOneOf(word, "glassy gleichgewicht"))
     return ModulusKind::Shear;
@@ -273,6 +273,12 @@ std::string seriesWord(std::string_view text) {
     replaceAll(word, infinity, "inf");
   for (const std::string_view tau : WordList("\u03C4 \u03A4")) replaceAll(word, tau, "tau");
   for (const std::string_view eta : WordList("\u03B7 \u0397")) replaceAll(word, eta, "eta");
+  constexpr WordList kIndices(
+      "\u2080 \u2081 \u2082 \u2083 \u2084 \u2085 \u2086 \u2087 \u2088 \u2089");
+  for (const std::string_view letter : WordList("\u1D62 \u2C7C \u2096"))
+    replaceAll(word, letter, "i");
+  std::size_t digit = 0;
+  for (const std::string_view index : kIndices) replaceAll(word, index, std::to_string(digit++));
   return word;
 }
 
@@ -306,8 +312,8 @@ bool isArmModulus(std::string_view name) {
   return isOneOf(modulusLetter(name), "g gi e ei") || partsByName(word) != PartsOf::Unknown ||
          isOneOf(word,
                  "g gi e ei modulus moduli relaxationmodulus alpha alphai gimod shearmodulus "
-                 "relativemodulus gk ek "
-                 "modul schubmodul");
+                 "relativemodulus gk ek gn en gj ej "
+                 "modul schubmodul moduledecisaillement moduloditaglio modulodecorte");
 }
 
 bool isArmViscosity(std::string_view word) {
@@ -317,8 +323,9 @@ bool isArmViscosity(std::string_view word) {
 }
 
 bool hasArmIndex(std::string_view word) {
-  return isOneOf(word,
-                 "gi ei gi/g0 ei/e0 gi/ginf ei/einf gi/ge ei/ee gi/geq ei/eeq gk ek etai etak");
+  return isOneOf(
+      word,
+      "gi ei gi/g0 ei/e0 gi/ginf ei/einf gi/ge ei/ee gi/geq ei/eeq gk ek gn en gj ej etai etak");
 }
 
 PartsOf partsByName(std::string_view word) {

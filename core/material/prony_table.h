@@ -19,6 +19,11 @@ namespace asperity {
 std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
                                      const PronyChoices& choices);
 
+/// Returns a table of the arms that a text states as named numbers, one or several in a line: "G1 =
+/// 2 MPa", "tau_1: 0.1 s", "G1;2;MPa". All other lines stand above the table. Nothing where the
+/// text states none. Throws InputError for arms that are not complete (prony_lines.cpp).
+std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::string& name);
+
 // ---- Names --------------------------------------------------------------------------------------
 
 /// Returns a name as compactName does, with "inf", "tau" and "eta" for these signs: "ginf" for
@@ -65,6 +70,9 @@ struct SeriesRows {
 /// logarithms are undone. Throws InputError where the block has a part of a series.
 std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std::string& name,
                                    const PronyChoices& choices, RawSeries& series);
+
+/// Returns the size of a unit of time in s; nothing where it is none.
+std::optional<double> timeSize(std::string_view unit);
 
 /// Returns the size of a unit of modulus in Pa; what stands after it in a header does not count:
 /// "3 MPa (at 20 °C)". Throws InputError (`name`, `key`) where it is none.

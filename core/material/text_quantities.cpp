@@ -1,7 +1,7 @@
 #include "core/material/text_quantities.h"
 
+#include <algorithm>
 #include <cctype>
-#include <numbers>
 #include <string>
 
 #include "core/base/text.h"
@@ -118,16 +118,13 @@ std::optional<Unit> temperatureUnit(std::string_view unit) {
   std::string word = lowerCase(unit);
   for (const std::string_view mark : {"\u00B0", "\u00BA", "deg", ".", " "})
     replaceAll(word, mark, "");
+  if (word == "\u0441") word = "c";  // of Russian
   return unitInAnyCase(word, "K");
 }
 
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
-  constexpr double kAngular = 0.5 / std::numbers::pi;
-  if (unit.empty()) return isAngular ? kAngular : 1;
-  const std::string word = lowerCase(unit);
-  if (word.starts_with("rad")) return kAngular;
-  if (isAngular && isOneOf(word, "1/s s-1 s^-1 s\u207B\u00B9")) return kAngular;
-  return unitSize(unit, "Hz");
+  return frequencySize(unit.empty() ? std::string_view(isAngular ? "rad/s" : "Hz") : unit,
+                       isAngular);
 }
 
 std::optional<TextFrequency> firstFrequency(std::string_view text) {
@@ -159,6 +156,20 @@ std::optional<TextFrequency> firstFrequency(std::string_view text) {
   return {};
 }
 
+namespace {
+
+/// Returns whether the text in front of a frequency is about a ramp at it, and not about a range:
+/// "Temperature sweep at 10 Hz", but not "Frequency sweep 0.1 - 100 Hz".
+bool saysFrequencyOfRamp(std::string_view text) {
+  const std::vector<std::string> words = wordsIn(text);
+  const bool hasNumbers =
+      std::ranges::any_of(words, [](const std::string& word) { return isDigit(word.front()); });
+  return hasOneOf(words, "sweep ramp temperatursweep temperaturrampe dma") &&
+         (!hasNumbers || isOneOf(words.back(), "at bei f freq frequency frequenz"));
+}
+
+}  // namespace
+
 std::optional<double> statedFrequency(const TextBlock& block) {
   std::optional<double> found;
   for (const TextEntry& entry : block.header) {
@@ -176,6 +187,10 @@ std::optional<double> statedFrequency(const TextBlock& block) {
       } else if (const auto alone = parseQuantity(clause); alone && !alone->unit.empty()) {
         size = frequencyUnit(alone->unit, false);
         number = alone->number;
+      } else if (const auto inText = firstFrequency(clause);
+                 inText && saysFrequencyOfRamp(clause.substr(0, inText->begin))) {
+        size = 1;
+        number = inText->hertz;
       }
       if (!size || !(number > 0)) continue;
       if (found && *found != number * *size) return {};

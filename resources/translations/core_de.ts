@@ -4715,6 +4715,38 @@
         <translation>hat die Einheit %1, die keine von %2 ist</translation>
     </message>
     <message>
+        <source>%1, assumed</source>
+        <translation>%1, angenommen</translation>
+    </message>
+    <message>
+        <source>%1 has no unit, as others have; write it after the number</source>
+        <translation>%1 hat keine Einheit, anders als weitere; sie gehört hinter die Zahl</translation>
+    </message>
+    <message>
+        <source>%1 has the unit %2, which is not understood</source>
+        <translation>%1 hat die Einheit %2, die nicht verstanden wird</translation>
+    </message>
+    <message>
+        <source>%1 is stated without %2; each arm needs both</source>
+        <translation>%1 steht ohne %2 da; jeder Arm braucht beides</translation>
+    </message>
+    <message>
+        <source>%1 is stated in line %2 already</source>
+        <translation>%1 steht schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 matrices, each below the name of its modulus, are read as one table</source>
+        <translation>%1 Matrizen, jede unter dem Namen ihres Moduls, werden als eine Tabelle gelesen</translation>
+    </message>
+    <message>
+        <source>the numbers above the columns are taken for temperatures: %1 to %2</source>
+        <translation>die Zahlen über den Spalten werden für Temperaturen gehalten: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>has no unit, and its median is %1, more than that of a rubber; write its unit after the name, as in &quot;tan delta (%)&quot; or &quot;tan delta (1)&quot;</source>
+        <translation>hat keine Einheit, und der Median ist %1, mehr als der eines Gummis; die Einheit gehört hinter den Namen, wie in „tan delta (%)“ oder „tan delta (1)“</translation>
+    </message>
+    <message>
         <source>%1 has no unit: seconds are assumed</source>
         <translation>%1 hat keine Einheit: Sekunden werden angenommen</translation>
     </message>

@@ -306,5 +306,127 @@ TEST(DmaForms, ModuliOfAnotherKindThanWantedAreNamed) {
   expectRow(read(table, choices).rows[0], 293.15, 1, 6e6, 6e5);
 }
 
+TEST(DmaForms, MatricesOfBothModuliAreOneTable) {
+  for (const char* text :
+       {"G' (MPa)\nf (Hz);20 \u00B0C;40 \u00B0C\n1;2;1\n10;4;3\n\n"
+        "G'' (MPa)\nf (Hz);20 \u00B0C;40 \u00B0C\n1;0.2;0.1\n10;0.4;0.3\n",
+        "G' (MPa)\nf (Hz) \\ T (\u00B0C);20;40\n1;2;1\n10;4;3\n\n"
+        "G'' (MPa)\nf (Hz) \\ T (\u00B0C);20;40\n1;0.2;0.1\n10;0.4;0.3\n",
+        "Speichermodul G' / MPa;;\nf / Hz;20 \u00B0C;40 \u00B0C\n1;2;1\n10;4;3\n;;\n"
+        "Verlustmodul G'' / MPa;;\nf / Hz;20 \u00B0C;40 \u00B0C\n1;0,2;0,1\n10;0,4;0,3\n",
+        "G' (MPa)\nf (Hz);T = 20 \u00B0C;T = 40 \u00B0C\n1;2;1\n10;4;3\n\n"
+        "tan delta\nf (Hz);T = 20 \u00B0C;T = 40 \u00B0C\n1;0.1;0.1\n10;0.1;0.1\n",
+        "G' (MPa)\nf (Hz);20;40\n1;2;1\n10;4;3\n\n"
+        "G'' (MPa)\nf (Hz);20;40\n1;0.2;0.1\n10;0.4;0.3\n"}) {
+    SCOPED_TRACE(text);
+    const DmaFile file = read(text);
+    ASSERT_EQ(file.rows.size(), 4U);
+    expectRow(file.rows[1], 293.15, 10, 4e6, 4e5);
+    expectRow(file.rows[3], 313.15, 10, 3e6, 3e5);
+    EXPECT_THAT(notesOf(file), Contains("2 matrices, each below the name of its modulus, are read "
+                                        "as one table"));
+  }
+  // Rows of temperatures, and columns of frequencies; powers of ten with a unit are no units.
+  const DmaFile turned = read(
+      "G' (MPa)\nT (\u00B0C),0.1 Hz,1 Hz,10 Hz\n20,2,3,4\n40,1,2,3\n\n"
+      "G'' (MPa)\nT (\u00B0C),0.1 Hz,1 Hz,10 Hz\n20,0.2,0.3,0.4\n40,0.1,0.2,0.3\n");
+  ASSERT_EQ(turned.rows.size(), 6U);
+  expectRow(turned.rows[5], 313.15, 10, 3e6, 3e5);
+  const DmaFile bare = read(
+      "G' (MPa)\nf (Hz);20;40\n1;2;1\n10;4;3\n\n"
+      "G'' (MPa)\nf (Hz);20;40\n1;0.2;0.1\n10;0.4;0.3\n");
+  EXPECT_THAT(notesOf(bare), Contains("the numbers above the columns are taken for temperatures: "
+                                      "20 \u00B0C to 40 \u00B0C"));
+  // Other temperatures, or no name of the modulus.
+  EXPECT_THAT(errorOf("G' (MPa)\nf (Hz);20 \u00B0C;40 \u00B0C\n1;2;1\n10;4;3\n\n"
+                      "G'' (MPa)\nf (Hz);20 \u00B0C;60 \u00B0C\n1;0.2;0.1\n10;0.4;0.3\n"),
+              HasSubstr("has no columns that are known"));
+  EXPECT_NE(errorOf("f (Hz);20 \u00B0C;40 \u00B0C\n1;2;1\n10;4;3\n\n"
+                    "f (Hz);20 \u00B0C;40 \u00B0C\n1;0.2;0.1\n10;0.4;0.3\n"),
+            "no error");
+  const DmaFile corner = read(
+      "G' (MPa)\nf (kHz) \\ T;20;40\n1;2;1\n10;4;3\n\n"
+      "G'' (MPa)\nf (kHz) \\ T;20;40\n1;0.2;0.1\n10;0.4;0.3\n");
+  expectRow(corner.rows[3], 313.15, 1e4, 3e6, 3e5);
+}
+
+TEST(DmaForms, NamesInRussianTurkishAndCzechAreRead) {
+  for (const char* names :
+       {"\u0427\u0430\u0441\u0442\u043E\u0442\u0430 (\u0413\u0446);"
+        "\u0422\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430, \u00B0\u0421;"
+        "\u041C\u043E\u0434\u0443\u043B\u044C "
+        "\u043D\u0430\u043A\u043E\u043F\u043B\u0435\u043D\u0438\u044F G' "
+        "(\u041C\u041F\u0430);\u041C\u043E\u0434\u0443\u043B\u044C "
+        "\u043F\u043E\u0442\u0435\u0440\u044C G'' (\u041C\u041F\u0430)",
+        "Frekans (Hz);S\u0131cakl\u0131k (\u00B0C);Depolama mod\u00FCl\u00FC G' (MPa);Kay\u0131p "
+        "mod\u00FCl\u00FC G'' (MPa)",
+        "Frekvence (Hz);Teplota (\u00B0C);Pam\u011B\u0165ov\u00FD modul G' "
+        "(MPa);Ztr\u00E1tov\u00FD "
+        "modul G'' (MPa)"}) {
+    SCOPED_TRACE(names);
+    expectRow(read(std::string(names) + "\n1;20;2;0,2\n10;20;4;0,4\n").rows[1], 293.15, 10, 4e6,
+              4e5);
+  }
+}
+
+TEST(DmaForms, TemperaturesAboveSweepsMayBeStatements) {
+  const DmaFile file = read(
+      ";T=0;;T=20;\nf (Hz);G' (MPa);G'' (MPa);G' (MPa);G'' (MPa)\n1;4;0.4;2;0.2\n10;8;0.8;4;0.4\n");
+  ASSERT_EQ(file.rows.size(), 4U);
+  expectRow(file.rows[3], 293.15, 10, 4e6, 4e5);
+}
+
+/// As temperatures do, in merged cells of a spreadsheet.
+TEST(DmaForms, AFrequencyHoldsForTheRowsBelowIt) {
+  const DmaFile file = read(
+      "f (Hz);T (C);G' (MPa);G'' (MPa)\n1;0;4;0.4\n;20;2;0.2\n;40;1;0.1\n10;0;8;0.8\n;20;4;0.4\n"
+      ";40;2;0.2\n");
+  ASSERT_EQ(file.rows.size(), 6U);
+  expectRow(file.rows[4], 293.15, 10, 4e6, 4e5);
+  EXPECT_THAT(notesOf(file), Contains("f stands in the first row of each group alone: it holds for "
+                                      "the rows below it"));
+}
+
+TEST(DmaForms, DatesStandBesideTheNumbers) {
+  const DmaFile file = read(
+      "Date;Time;f (Hz);T (\u00B0C);G' (MPa);G'' (MPa)\n"
+      "12.03.2024;10:11:12;1;20;2,5;0,2\n12.03.2024;10:11:32;10;20;4;0,4\n");
+  expectRow(file.rows[0], 293.15, 1, 2.5e6, 2e5);
+  EXPECT_EQ(file.rows.size(), 2U);
+}
+
+TEST(DmaForms, PartsOfAComplexModulusAndItsLetterAreNames) {
+  expectRow(read("f [Hz];T [\u00B0C];Re(G*) [MPa];Im(G*) [MPa]\n1;20;2;0.2\n10;20;4;0.4\n").rows[1],
+            293.15, 10, 4e6, 4e5);
+  expectRow(
+      read("f_Hz,T_C,Storage_Modulus_E_MPa,Loss_Modulus_E_MPa\n1,20,6,0.6\n10,20,12,1.2\n").rows[1],
+      293.15, 10, 4e6, 4e5);
+  // "Elastik" is a word of modulus and no letter of it.
+  expectRow(
+      read("f (Hz);T (C);Elastik mod\u00FCl G' (MPa);G'' (MPa)\n1;20;2;0.2\n10;20;4;0.4\n").rows[1],
+      293.15, 10, 4e6, 4e5);
+}
+
+TEST(DmaForms, LinesAboveSayKindAndFrequency) {
+  const std::string rows =
+      "f (Hz),T (C),Storage modulus (MPa),Loss modulus (MPa)\n1,20,6,0.6\n10,20,12,1.2\n";
+  expectRow(read("Simple shear 10x10x2 mm\n" + rows).rows[1], 293.15, 10, 12e6, 1.2e6);
+  expectRow(read("Zugversuch\n" + rows).rows[1], 293.15, 10, 4e6, 4e5);
+  const DmaFile ramp =
+      read("Temperature sweep at 10 Hz\nT (C),G' (MPa),G'' (MPa)\n0,4,0.4\n20,2,0.2\n40,1,0.1\n");
+  expectRow(ramp.rows[1], 293.15, 10, 2e6, 2e5);
+  EXPECT_NE(errorOf("Frequency sweep 0.1 - 100 Hz\nT (C),G' (MPa),G'' (MPa)\n0,4,0.4\n20,2,0.2\n"),
+            "no error");
+}
+
+TEST(DmaForms, ALossFactorInPerCentNeedsItsUnit) {
+  const std::string rows = "\n1;20;2;10\n10;20;4;12\n";
+  EXPECT_THAT(
+      errorOf("f (Hz);T (C);G' (MPa);tan delta" + rows),
+      HasSubstr("tan delta: has no unit, and its median is 12, more than that of a rubber"));
+  expectRow(read("f (Hz);T (C);G' (MPa);tan delta (%)" + rows).rows[0], 293.15, 1, 2e6, 2e5);
+  expectRow(read("f (Hz);T (C);G' (MPa);tan delta [1]" + rows).rows[0], 293.15, 1, 2e6, 2e7);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -287,5 +287,59 @@ TEST(PronyTable, BranchesOfComsolAreRead) {
   expectSeriesNearly(readSeries("1 2 0.1\n2 1 10\n", choices));
 }
 
+/// Notes, scripts and lists of parameters state an arm as two named numbers.
+TEST(PronyLines, NamedNumbersAreArms) {
+  for (const char* text :
+       {"G_inf = 1 MPa\nG1 = 2 MPa\ntau1 = 0.1 s\nG2 = 1 MPa\ntau2 = 10 s\n",
+        "E_inf: 3 MPa\nE_1: 6 MPa\ntau_1: 0.1 s\nE_2: 3 MPa\ntau_2: 10 s\n",
+        "G0 = 4 MPa\nG1 = 2 MPa, tau1 = 0,1 s\nG2 = 1 MPa, tau2 = 10 s\n",
+        "Ginf = 1e6 Pa\nG1 = 2000 kPa\nG2 = 1 MPa\ntau1 = 100 ms\ntau2 = 10 s\n",
+        "G0;4;MPa\nG1;2;MPa\ntau1;0,1;s\nG2;1;MPa\ntau2;10;s\n",
+        "Name\tValue\tUnit\nG_inf\t1\tMPa\nG_1\t2\tMPa\ntau_1\t0.1\ts\nG_2\t1\tMPa\ntau_2\t10\ts\n",
+        "Parameter;Wert\nG_inf [MPa];1\nG1 [MPa];2\nG2 [MPa];1\ntau1 [s];0,1\ntau2 [s];10\n",
+        "G0 = 4 MPa\ng1 = 0.5\ntau1 = 0.1 s\ng2 = 0.25\ntau2 = 10 s\n",
+        "G_inf 1[MPa] \"long-term\"\nG1 2[MPa] \"branch\"\ntau1 0.1[s]\nG2 1[MPa]\ntau2 10[s]\n",
+        "G(1) = 2 MPa\ntau(1) = 0.1 s\nG(2) = 1 MPa\ntau(2) = 10 s\nG(inf) = 1 MPa\n",
+        "G\u221E = 1 MPa\nG\u2081 = 2 MPa\n\u03C4\u2081 = 0.1 s\nG\u2082 = 1 MPa\n\u03C4\u2082 = "
+        "10 s\n",
+        "% NR\nG_inf = 1e6; % Pa\nG1 = 2e6; % Pa\ntau1 = 0.1; % s\nG2 = 1e6; % Pa\ntau2 = 10; % "
+        "s\n",
+        "G_inf = 1e6  # Pa\nG = [2e6, 1e6]  # Pa\ntau = [0.1, 10]  # s\n",
+        "Ginf = 1e6;\nGi = [2e6 1e6];\ntaui = [0.1 10];\n",
+        "Modulus 1: 2 MPa\nRelaxation time 1: 0.1 s\nModulus 2: 1 MPa\nRelaxation time 2: 10 s\n"
+        "Equilibrium modulus: 1 MPa\n",
+        "Ginf: 1 MPa\nArm 1: G = 2 MPa, tau = 0.1 s\nArm 2: G = 1 MPa, tau = 10 s\n",
+        "E_inf=3MPa\nE1=6MPa\nt1=0.1s\nE2=3MPa\nt2=10s\n",
+        "n;tau_n / s;G_n / MPa\n1;0,1;2\n2;10;1\n\u221E;;1\n",
+        "beta_1 = 10 1/s\nG_1 = 2 MPa\nbeta_2 = 0.1 1/s\nG_2 = 1 MPa\nG_inf = 1 MPa\n",
+        "eta_1 = 0.2 MPa s\nG_1 = 2 MPa\neta_2 = 10 MPa s\nG_2 = 1 MPa\nG_inf = 1 MPa\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text));
+  }
+  const auto file =
+      readSeries("T = 20 \u00B0C\nG_inf = 1 MPa\nG1 = 2 MPa\ntau1 = 0.1\nG2 = 1 MPa\ntau2 = 10\n");
+  expectSeries(file);
+  EXPECT_NEAR(file->temperature.value_or(0), 293.15, 1e-9);
+  EXPECT_THAT(seriesNotes(file), testing::Contains("tau_i has no unit: seconds are assumed"));
+}
+
+TEST(PronyLines, IncompleteArmsAreRefused) {
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\nG_1 = 2 MPa\ntau_1 = 0.1 s\nG_2 = 1 MPa\n"),
+              HasSubstr("line 4: G_2 is stated without tau_2; each arm needs both"));
+  EXPECT_THAT(seriesError("G1 = 2 MPa\nG1 = 3 MPa\ntau1 = 0.1 s\n"),
+              HasSubstr("line 2: G_1 is stated in line 1 already"));
+  EXPECT_THAT(seriesError("G1 = 2\ntau1 = 0.1 s\nG2 = 1 MPa\ntau2 = 10 s\n"),
+              HasSubstr("line 1: G_1 has no unit, as others have; write it after the number"));
+  EXPECT_THAT(seriesError("G1 = 2 MPa\ntau1 = 0.1 s\nG2 = 1 stone\ntau2 = 10 s\n"),
+              HasSubstr("line 3: G_2 has the unit stone, which is not understood"));
+  EXPECT_THAT(seriesError("Ginf = 1\nG1 = 2\ntau1 = 0.1 s\nG2 = 1\ntau2 = 10 s\n"),
+              HasSubstr("would be no rubber; say --modulus-unit"));
+  EXPECT_THAT(seriesError("Ginf = 1 MPa\nG1 = 2,000 kPa\ntau1 = 0.1 s\n"),
+              HasSubstr("may separate decimals or thousands"));
+  // Moduli above a table of measurements are none of its series.
+  EXPECT_FALSE(readSeries("G1 = 2 MPa\ntau1 = 0.1 s\nf (Hz),G' (MPa),G'' (MPa)\n1,2,1\n10,3,1\n"));
+  EXPECT_FALSE(readSeries("G1 = 2 MPa\nG2 = 1 MPa\n"));
+}
+
 }  // namespace
 }  // namespace asperity
