@@ -26,6 +26,10 @@ struct QuantityNames {
 
 constexpr QuantityNames kKnownNames[] = {
     {Quantity::Velocity, "velocity",
+     "\u0441\u043A\u043E\u0440\u043E\u0441\u0442\u044C "
+     "\u0441\u043A\u043E\u0440\u043E\u0441\u0442\u044C\u0441\u043A\u043E\u043B\u044C\u0436\u0435"
+     "\u043D\u0438\u044F "
+     "h\u0131z kaymah\u0131z\u0131 rychlost kluzn\u00E1rychlost rychlostskluzu "
      "velocity v speed slidingvelocity slidingspeed vslide vs slipvelocity slipspeed vslip "
      "geschwindigkeit "
      "gleitgeschwindigkeit gleitgeschw geschw vgleit vitesse vitessedeglissement velocit\u00E0 "
@@ -35,6 +39,12 @@ constexpr QuantityNames kKnownNames[] = {
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6 "
      "\u6ED1\u52A8\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
+     "\u043A\u043E\u044D\u0444\u0444\u0438\u0446\u0438\u0435\u043D\u0442\u0442\u0440\u0435\u043D"
+     "\u0438\u044F "
+     "\u043A\u043E\u044D\u0444\u0444\u0438\u0446\u0438\u0435\u043D\u0442\u0442\u0440\u0435\u043D"
+     "\u0438\u044F\u0441\u043A\u043E\u043B\u044C\u0436\u0435\u043D\u0438\u044F "
+     "s\u00FCrt\u00FCnmekatsay\u0131s\u0131 sou\u010Dinitelt\u0159en\u00ED "
+     "koeficientt\u0159en\u00ED "
      "mu mue m\u00FC \u00B5 \u03BC cof friction frictionfactor frictioncoefficient frictioncoeff "
      "frictioncoef "
      "coefficientoffriction coeffoffriction coefoffriction coefficient reibwert "
@@ -52,17 +62,34 @@ constexpr QuantityNames kKnownNames[] = {
      "wsp\u00F3\u0142czynniktarcia "
      "\u6469\u64E6\u4FC2\u6570 \u6469\u64E6\u7CFB\u6570 \uB9C8\uCC30\uACC4\uC218"},
     {Quantity::Force, "normal force",
+     "\u043D\u0430\u0433\u0440\u0443\u0437\u043A\u0430 "
+     "\u043D\u043E\u0440\u043C\u0430\u043B\u044C\u043D\u0430\u044F\u043D\u0430\u0433\u0440\u0443"
+     "\u0437\u043A\u0430 "
+     "\u043D\u043E\u0440\u043C\u0430\u043B\u044C\u043D\u0430\u044F\u0441\u0438\u043B\u0430 "
+     "normaly\u00FCk normalkuvvet y\u00FCk norm\u00E1lov\u00E1s\u00EDla "
+     "zat\u00ED\u017Een\u00ED norm\u00E1lov\u00E9zat\u00ED\u017Een\u00ED "
      "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
      "vertikallast forcenormale chargenormale forzanormale cariconormale caricoverticale "
      "fuerzanormal normaalkracht "
-     "carganormal charge carico carga \u8377\u91CD \u5782\u76F4\u8377\u91CD \u6CD5\u5411\u529B"},
+     "carganormal charge carico carga \u8F7D\u8377 \u6CD5\u5411\u8F7D\u8377 \uD558\uC911 "
+     "\uC218\uC9C1\uD558\uC911 \u8377\u91CD \u5782\u76F4\u8377\u91CD \u6CD5\u5411\u529B"},
     {Quantity::Pressure, "nominal pressure",
+     "\u0434\u0430\u0432\u043B\u0435\u043D\u0438\u0435 "
+     "\u043A\u043E\u043D\u0442\u0430\u043A\u0442\u043D\u043E\u0435\u0434\u0430\u0432\u043B\u0435"
+     "\u043D\u0438\u0435 "
+     "\u043D\u043E\u043C\u0438\u043D\u0430\u043B\u044C\u043D\u043E\u0435\u0434\u0430\u0432\u043B"
+     "\u0435\u043D\u0438\u0435 "
+     "bas\u0131n\u00E7 temasbas\u0131nc\u0131 tlak kontaktn\u00EDtlak "
      "nominalpressure pressure contactpressure normalpressure nominalcontactpressure normalstress "
      "pression pressione presion presi\u00F3n \u9762\u5727 p p0 pn pnom sigma \u03C3 sigma0 "
      "\u03C30 sigman \u03C3n sigmaz \u03C3z druck fl\u00E4chenpressung flaechenpressung "
      "pressung normalspannung nenndruck"},
     {Quantity::Temperature, "temperature",
+     "\u0442\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430 "
+     "\u0442\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430\u043E\u0431\u0440\u0430"
+     "\u0437\u0446\u0430 "
+     "s\u0131cakl\u0131k teplota "
      "temperature temp t temperatur sampletemperature specimentemperature rubbertemperature "
      "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
      "temperaturerubber temperaturesample temperaturespecimen pr\u00FCftemperatur prueftemperatur "
@@ -70,6 +97,7 @@ constexpr QuantityNames kKnownNames[] = {
      "temperatuur \uC628\uB3C4 "
      "versuchstemperatur"},
     {Quantity::Label, "label",
+     "\u043E\u0431\u0440\u0430\u0437\u0435\u0446 numune vzorek "
      "run lauf wiederholung label sample name set series specimen probe bezeichnung comment track "
      "surface"},
     {Quantity::MuError, "error of the coefficient of friction", ""},
@@ -81,6 +109,10 @@ std::optional<std::string> withoutError(std::string word) {
   constexpr WordList kSigns(
       "\u00E9carttype \u00C9carttype ecarttype deviazionestandard desviaci\u00F3nest\u00E1ndar "
       "desviacionestandar incertitude incertezza incertidumbre \u6A19\u6E96\u504F\u5DEE stabw "
+      "\u0441\u0442\u0430\u043D\u0434\u0430\u0440\u0442\u043D\u043E\u0435\u043E\u0442\u043A\u043B"
+      "\u043E\u043D\u0435\u043D\u0438\u0435 "
+      "\u043F\u043E\u0433\u0440\u0435\u0448\u043D\u043E\u0441\u0442\u044C "
+      "standartsapma sm\u011Brodatn\u00E1odchylka "
       "standarderror standarddeviation standarduncertainty standardabweichung standardabw stdabw "
       "standardunsicherheit standardfehler messunsicherheit uncertainty error stdev stddev sigma "
       "unsicherheit abweichung fehler err std dev sd se \u00B1 \u03C3 delta \u0394");
@@ -210,7 +242,8 @@ bool isAmbiguousName(const std::string& name) {
 bool isNameOfSliding(const std::string& name) {
   const std::string word = plainWord(name);
   return word == "vs" || containsOneOf(word,
-                                       "slid slip gleit glissement strisciamento deslizamiento "
+                                       "slid slip gleit \u0441\u043A\u043E\u043B\u044C\u0436 kayma "
+                                       "kluz glissement strisciamento deslizamiento "
                                        "\u3059\u3079\u308A \u6ED1\u308A");
 }
 
@@ -264,19 +297,22 @@ bool isOtherLoad(const std::vector<std::string>& words) {
 
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit) {
   const std::string word = plainWord(name);
-  if (const auto named = quantityNamed(word);
-      named && (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, *named)))
-    return named;
-  if (const auto named = namedTwice(name)) return named;
+  const auto named = quantityNamed(word);
+  // "Load (MPa)"
+  if (named == Quantity::Force && measures(unit, Quantity::Pressure) && word.size() > 2 &&
+      !containsOneOf(word, "force kraft forza fuerza"))
+    return Quantity::Pressure;
+  if (named && (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, *named))) return named;
+  if (const auto twice = namedTwice(name)) return twice;
   if (const auto plain = withoutAverage(name)) return findMeaning(*plain, unit);
   const std::string error = isRelativeError(name) ? withoutRelative(word) : word;
   std::optional<std::string> subject = withoutError(error);
   if (!subject) subject = withoutErrorLetter(error);
   if (!subject) return {};
   if (subject->empty()) return Quantity::MuError;
-  const auto named = quantityNamed(*subject);
-  if (named == Quantity::Mu) return Quantity::MuError;
-  if (named == Quantity::Velocity) return Quantity::VelocityError;
+  const auto ofError = quantityNamed(*subject);
+  if (ofError == Quantity::Mu) return Quantity::MuError;
+  if (ofError == Quantity::Velocity) return Quantity::VelocityError;
   return {};
 }
 

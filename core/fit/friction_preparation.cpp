@@ -187,6 +187,83 @@ std::optional<NamedState> stateOf(const TextColumn& column) {
   return {};
 }
 
+/// Returns the state that is the whole name of a column, "5 N", "F = 5 N" or, beside the quantity
+/// of all of them, "5"; empty where there is none. of: that quantity, with its unit.
+std::string bareState(const TextColumn& column, const TextColumn& of) {
+  const std::string text = column.name + " " + (column.unit.empty() ? of.unit : column.unit);
+  const std::size_t number = text.find_first_of("-0123456789");
+  if (column.isText || number == text.npos) return {};
+  const auto state = parseQuantity(withoutEnd(std::string_view(text).substr(number), ")] "));
+  const auto quantity = state ? quantityOfUnit(state->unit) : std::nullopt;
+  if (!quantity) return {};
+  const std::string name = plainWord(text.substr(0, number));
+  return name.empty() || quantityNamed(name) == quantity ? text.substr(number) : std::string();
+}
+
+/// Returns the load or temperature with its unit that a line above a table names alone, ";Load
+/// (N);;", or that its corner names, "v (mm/s) \ F (N)"; takes it out of the corner.
+TextColumn quantityOfHeads(TextBlock& block) {
+  const auto isQuantity = [](const TextColumn& column) {
+    return !column.unit.empty() && quantityOfUnit(column.unit) &&
+           findMeaning(column) == quantityOfUnit(column.unit);
+  };
+  TextColumn& corner = block.columns.front();
+  if (auto split = splitCorner(corner, isQuantity)) {
+    corner = std::move(split->first);
+    return isQuantity(split->second) ? std::move(split->second) : TextColumn{};
+  }
+  for (const TextEntry& entry : block.header) {
+    std::string_view line = withoutEnd(entry.written, ":;, ");
+    line.remove_prefix(std::min(line.find_first_not_of(";, "), line.size()));
+    if (line.find_first_of("0123456789") != line.npos) continue;
+    // "COF at load (N)" names friction in front of it.
+    const std::vector<std::string_view> words = splitWords(line);
+    std::string last;
+    for (auto word = words.rbegin(); word != words.rend(); ++word) {
+      last = std::string(*word) + (last.empty() ? "" : " ") + last;
+      if (const TextColumn of = parseColumnName(last); isQuantity(of)) return of;
+    }
+  }
+  return {};
+}
+
+/// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
+/// table names it.
+void nameFrictionInStates(TextBlock& block) {
+  const bool hasMu = std::ranges::any_of(block.columns, [](const TextColumn& column) {
+    return findMeaning(column) == FrictionQuantity::Mu;
+  });
+  const auto namesFriction = [](const TextEntry& entry) {
+    const std::string line = joinEntry(entry, " ");
+    const std::vector<std::string_view> words = splitWords(line);
+    constexpr std::size_t kMaxWords = 3;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (anyColumn(words, i, kMaxWords, [&words](const TextColumn& column, std::size_t end) {
+            const bool isForce =
+                end < words.size() && beginsWithOneOf(lowerCase(words[end]), "force kraft forza");
+            return findMeaning(column) == FrictionQuantity::Mu && !isForce;
+          }))
+        return true;
+    return false;
+  };
+  if (hasMu || block.columns.size() < 3 || std::ranges::none_of(block.header, namesFriction))
+    return;
+  TextBlock named = block;
+  const TextColumn of = quantityOfHeads(named);
+  for (std::size_t i = 1; i < named.columns.size(); ++i) {
+    const std::string state = bareState(named.columns[i], of);
+    if (state.empty()) return;
+    named.columns[i] = {"mu " + state};
+  }
+  // The line of names states none of all points.
+  std::erase_if(block.header, [&block](const TextEntry& entry) {
+    return std::ranges::all_of(block.columns, [&entry](const TextColumn& column) {
+      return entry.written.find(column.name) != std::string::npos;
+    });
+  });
+  block.columns = std::move(named.columns);
+}
+
 /// The columns of friction and its error in one state.
 struct StateColumns {
   double value = 0;
@@ -294,6 +371,7 @@ void prepareColumns(TextBlock& block) {
     joinSymbol(column);
   }
   keepLabels(block);
+  nameFrictionInStates(block);
   stackStates(block);
   separateErrors(block);
 }

@@ -155,6 +155,8 @@ class FrictionRoleFinder {
            isOneOf(plainWord(block_.columns[i].name),
                    "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
                    "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
+                   "\u0441\u0438\u043B\u0430\u0442\u0440\u0435\u043D\u0438\u044F "
+                   "s\u00FCrt\u00FCnmekuvveti t\u0159ec\u00EDs\u00EDla "
                    "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
                    "fuerzaderozamiento fuerzatangencial")) &&
           !block_.columns[i].isText)
@@ -255,7 +257,7 @@ class FrictionRoleFinder {
     const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
-      return isOneOf(word, "min max minimum maximum lower upper low high");
+      return isOneOf(word, "min max minimum maximum lower upper low high lo hi untere obere");
     };
     std::string subject;
     for (const std::string& word : words)
@@ -319,8 +321,9 @@ class FrictionRoleFinder {
     if (quantity == Quantity::Label && (!column.isText || !column.unit.empty())) return;
     const FrictionConversion conversion = findConversion(quantity, column, block_, name_);
     Message unit = conversion.unitText;
-    if (unit.empty())
-      unit = Message::name(column.unit.empty() ? std::string(conversion.unit.si) : column.unit);
+    if (unit.empty() && column.unit.empty() && !conversion.unit.si.empty())
+      unit = message("{}, assumed", Message::name(std::string(conversion.unit.si)));
+    if (unit.empty()) unit = Message::name(column.unit);
     const auto number = static_cast<int>(column.errorsOf.value_or(index)) + 1;
     const Message meaning(meaningOf(quantity));
     const Message note = column.errorsOf ? message("column {}, in its cells: {}", number, meaning)

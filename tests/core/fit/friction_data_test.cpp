@@ -837,5 +837,59 @@ TEST(FrictionData, ReadsStatesSideBySide) {
     EXPECT_THAT(errorOf(unclear), HasSubstr("in several states side by side")) << unclear;
 }
 
+/// Loads or temperatures alone above the columns, where a line above the table names friction.
+TEST(FrictionData, StatesAloneAboveColumnsOfFriction) {
+  const std::string rows = "1;0,9;0,8\n10;1,0;0,9\n";
+  for (const char* names :
+       {"Coefficient of friction;;\nv (mm/s);5 N;10 N\n", "COF of NR\nv (mm/s);F = 5 N;F = 10 N\n",
+        "Coefficient of friction at load (N)\nv (mm/s);5;10\n", "mu\nv (mm/s) \\ Fn (N);5;10\n"}) {
+    SCOPED_TRACE(names);
+    const FrictionData data = parsed(names + rows);
+    ASSERT_EQ(data.points.size(), 4U);
+    EXPECT_DOUBLE_EQ(data.points[3].normalForce, 10);
+    EXPECT_DOUBLE_EQ(data.points[3].velocity, 0.01);
+    EXPECT_DOUBLE_EQ(data.points[3].mu, 0.9);
+    EXPECT_EQ(data.notes.size(), 1U);
+  }
+  const FrictionData warm = parsed("Reibwert\nv (mm/s);-5 \u00B0C;25 \u00B0C\n" + rows);
+  EXPECT_DOUBLE_EQ(warm.points[0].temperature, 268.15);
+  EXPECT_NE(errorOf("Friction force (N)\nv (mm/s);5 N;10 N\n" + rows), "no error");
+  EXPECT_THAT(errorOf("v (mm/s);5 N;10 N\n" + rows),
+              HasSubstr("has no column of the coefficient of friction"));
+}
+
+TEST(FrictionData, AssumedUnitsAreNoted) {
+  EXPECT_THAT(parsed("v;mu;load\n1;0,5;20\n2;0,6;20\n").notes[0].english(),
+              testing::AllOf(HasSubstr("column 1: velocity (m/s, assumed)"),
+                             HasSubstr("column 3: normal force (N, assumed)")));
+  EXPECT_THAT(parsed("v (m/s);mu\n1;0,5\n2;0,6\n").notes[0].english(),
+              HasSubstr("column 1: velocity (m/s);"));
+}
+
+TEST(FrictionData, NamesInRussianTurkishAndCzechAreRead) {
+  for (const char* names :
+       {"\u0421\u043A\u043E\u0440\u043E\u0441\u0442\u044C, \u043C\u043C/\u0441;"
+        "\u041A\u043E\u044D\u0444\u0444\u0438\u0446\u0438\u0435\u043D\u0442 "
+        "\u0442\u0440\u0435\u043D\u0438\u044F;\u041D\u0430\u0433\u0440\u0443\u0437\u043A\u0430, "
+        "\u041D",
+        "H\u0131z (mm/s);S\u00FCrt\u00FCnme katsay\u0131s\u0131;Normal y\u00FCk (N)",
+        "Rychlost (mm/s);Sou\u010Dinitel t\u0159en\u00ED;Norm\u00E1lov\u00E1 s\u00EDla (N)"}) {
+    SCOPED_TRACE(names);
+    const FrictionData data = parsed(std::string(names) + "\n1;0,5;20\n2;0,6;20\n");
+    EXPECT_DOUBLE_EQ(data.points[0].velocity, 1e-3);
+    EXPECT_DOUBLE_EQ(data.points[0].normalForce, 20);
+  }
+}
+
+TEST(FrictionData, ALoadMayBeAPressureAndAVelocityPerHour) {
+  const FrictionData data = parsed("v (m/h);mu;Load (MPa)\n3,6;0,5;0,2\n7,2;0,6;0,2\n");
+  EXPECT_NEAR(data.points[0].velocity, 1e-3, 1e-15);
+  EXPECT_DOUBLE_EQ(data.points[0].nominalPressure, 2e5);
+  EXPECT_DOUBLE_EQ(parsed("v (m/s);mu (\u2030)\n1;500\n2;600\n").points[0].mu, 0.5);
+  EXPECT_NE(errorOf("v (m/s);mu;Normal force (MPa)\n1;0,5;1\n2;0,6;1\n"), "no error");
+  EXPECT_NEAR(parsed("v (m/s);mu;T (deg F)\n1;0,5;68\n2;0,6;68\n").points[0].temperature, 293.15,
+              1e-9);
+}
+
 }  // namespace
 }  // namespace asperity
