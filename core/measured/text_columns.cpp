@@ -17,11 +17,15 @@ namespace {
 /// Names of columns of positions, heights, ... in lower case; a name of one letter must be the
 /// whole name.
 constexpr WordList kPositions(
+    "\u0440\u0430\u0441\u0441\u0442\u043E\u044F\u043D\u0438\u0435 "
+    "\u0434\u043B\u0438\u043D\u0430 mesafe uzunluk konum vzd\u00E1lenost d\u00E9lka "
+    "poloha "
     "x position pos distance dist lateral abscissa abszisse weg strecke travel length l\u00E4nge "
     "laenge s d l abstand messweg scan displacement xposition xpos xcoordinate encoder encoder1 "
     "easting rechtswert");
 constexpr WordList kRows("y yposition ypos ycoordinate northing hochwert");
 constexpr WordList kHeights(
+    "\u0432\u044B\u0441\u043E\u0442\u0430 y\u00FCkseklik v\u00FD\u0161ka "
     "z height heights h h\u00F6he hoehe h\u00F6hen hauteurs alturas altezze hoogte profile profil "
     "elevation altitude topography topo depth "
     "tiefe amplitude ordinate hauteur altezza altura primary zdata deviation raw value signal");
@@ -206,7 +210,10 @@ class RoleFinder {
   /// A depth, or a distance from a sensor, counts into the material, but instruments that write a
   /// path call a height so, too.
   void refuseDepth() const {
-    constexpr WordList kDepths("depth tiefe distance abstand standoff");
+    constexpr WordList kDepths(
+        "depth tiefe profiltiefe distance abstand standoff profondeur profundidad profondit\u00E0 "
+        "profondita g\u0142\u0119boko\u015B\u0107 \u0433\u043B\u0443\u0431\u0438\u043D\u0430 "
+        "derinlik hloubka \u6DF1\u5EA6 \u6DF1\u3055 \uAE4A\uC774");
     if (heightChoice_ >= 0 || roles_.z < 0 || !begins(kDepths, lowerCase(nameOf(roles_.z)))) return;
     if (roles_.x >= 0 && isProfilePosition(lowerCase(nameOf(roles_.x)))) return;
     throw InputError(name_, "surface.height_column",

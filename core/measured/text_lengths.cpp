@@ -23,8 +23,10 @@ struct LengthNames {
 };
 
 constexpr LengthNames kSteps{
-    WordList("dx, pixelbreite, pixel width, pixelwidth", ','),
-    WordList("dy, pixelh\u00F6he, pixel height, pixelheight", ','),
+    WordList("dx, pixelbreite, pixel width, pixelwidth, column spacing, spaltenabstand", ','),
+    WordList("dy, pixelh\u00F6he, pixel height, pixelheight, line spacing, row spacing, profile "
+             "spacing, track spacing, linienabstand, zeilenabstand, profilabstand",
+             ','),
     WordList("delta, \u0394, \u03B4, \u2206, abstand, resolution, aufl\u00F6sung, r\u00E9solution",
              ','),
     WordList("cellsize, cell size, spacing, increment, step, step size, stepsize, sampling "

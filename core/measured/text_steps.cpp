@@ -132,12 +132,14 @@ std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock&
       "\u70B9\u6570",
       ',');
   constexpr WordList kColumnWords(
-      "columns, number of columns, samps/line, \\samps/line, samples/line, samples per line, "
+      "nx, ncols, cols, columns, number of columns, x points, points x, points in x, samps/line, "
+      "\\samps/line, samples/line, samples per line, "
       "points per line, pixels in x, x pixels, horizontal, spalten, anzahl spalten, nombre de "
       "colonnes, \u6A2A",
       ',');
   constexpr WordList kRowWords(
-      "rows, number of rows, lines, \\lines, number of lines, \\number of lines, pixels in y, y "
+      "ny, nrows, rows, number of rows, y points, points y, points in y, lines, \\lines, number of "
+      "lines, \\number of lines, pixels in y, y "
       "pixels, vertical, zeilen, anzahl zeilen, nombre de lignes, \u7E26",
       ',');
   for (const std::string_view key : counted == Counted::Points    ? kPoints
@@ -190,7 +192,9 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
       ',');
   if (axis != 'x' || count < 2 || statedCount(table, block, Counted::Points) != count) return {};
   for (const std::string_view traverse : kTraverses) {
-    const std::string text = table.entry(traverse, block);
+    std::string text = table.entry(traverse, block);
+    for (const char* symbol : {" lt", " ln"})  // "Taststrecke lt"
+      if (text.empty()) text = table.entry(std::string(traverse) + symbol, block);
     const auto clauses = splitClauses(text);
     auto length = clauses.empty() ? std::nullopt : lengthIn(clauses.front());
     if (!length || !length->unit) continue;

@@ -58,6 +58,41 @@ TEST(AxesOfAHeader, HaveTheirOwnLengths) {
 
 /// A length of x alone says nothing about the rows; one without an axis is taken for both, and that
 /// is said.
+TEST(AxesOfAHeader, LineSpacingIsThatOfTheRows) {
+  expectSpacings("Line spacing: 2 um\nPoint spacing: 0.5 um\nHeight in um\n", 0.5e-6, 2e-6);
+}
+
+TEST(PointDistances, FollowFromALengthWithItsSymbol) {
+  EXPECT_NEAR(read("Taststrecke lt = 199.5 um\nPunkte = 400\n" + list()).topography.columnSpacing,
+              0.5e-6, 1e-15);
+}
+
+TEST(PointDistances, MayBeInAbbreviatedInches) {
+  const Topography grid =
+      read("x (in.),z (in.)\n0,0.001\n0.1,0.002\n0.2,0.001\n0.3,0.003\n").topography;
+  EXPECT_NEAR(grid.columnSpacing, 2.54e-3, 1e-12);
+  EXPECT_NEAR(grid.height[1], 5.08e-5, 1e-15);
+}
+
+/// What counts into the material has the other sign than a height.
+TEST(Depths, AreAskedForInManyLanguages) {
+  for (const char* name :
+       {"Profiltiefe", "Profondeur", "\u0413\u043B\u0443\u0431\u0438\u043D\u0430"})
+    EXPECT_THAT(errorOf(std::string("x (mm);") + name + " (um)\n0;1\n1;2\n2;1\n3;3\n"),
+                HasSubstr("may count into the material"))
+        << name;
+}
+
+/// Heights in one column are rows where the header says how many.
+TEST(AxesOfAHeader, CountsMakeRowsOfAColumn) {
+  const Topography grid =
+      read("nx 12\nny 9\ndx 0.5 um\ndy 2 um\nz_unit = um\n" + field("\n")).topography;
+  EXPECT_EQ(grid.columns, kPointsOfRow);
+  EXPECT_EQ(grid.rows, kRowsOfField);
+  EXPECT_NEAR(grid.rowSpacing, 2e-6, 1e-15);
+  EXPECT_NEAR(grid.at(2, 3), heightAt(2, 3) * 1e-6, 1e-10);
+}
+
 TEST(AxesOfAHeader, MayBeOneOfBothOrNone) {
   const std::string said = "rows are taken to be as far apart as points";
   const auto rowSpacing = [&](const std::string& line, bool isSaid) {
