@@ -70,7 +70,7 @@ bool isUnitWord(std::string_view text) {
   const std::string word = lowerCase(text);
   if (isOneOf(word, kOtherWords)) return true;
   if (text.size() > 1 && (findUnit(text) || metresPer(text))) return true;
-  if (text.find_first_of("/1") != text.npos && frequencySize(text, true)) return true;
+  if (text.find_first_of("/1\u207B") != text.npos && frequencySize(text, true)) return true;
   // "1/MPa" of a compliance
   if (text.starts_with("1/") && findUnit(text.substr(2), "Pa")) return true;
   // "1/nm" and "um^3" are units; a letter with a digit, such as "A2", is more likely a name than a

@@ -70,7 +70,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array kOthers{
     OtherUnit{"%", {"", -2}},
     OtherUnit{"\u2030", {"", -3}},
-    OtherUnit{"\u00B0C \u00BAC \u2103 degC C celsius", {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"\u00B0C \u00BAC \u02DAC \u2103 degC oC C celsius", {"K", 0, 1, kZeroCelsius}},
     OtherUnit{"\u00B0F degF F fahrenheit", {"K", 0, 5.0 / 9, 459.67}},
     OtherUnit{"kelvin", {"K"}},
     OtherUnit{"micron microns", {"m", -6}},
@@ -155,10 +155,17 @@ std::string usualSpelling(std::string_view name) {
   std::string text(trimmedBlanks(name));
   spellInLatin(text);
   for (const std::string_view times : {"\u00B7"sv, "\u22C5"sv, "*"sv}) replaceAll(text, times, " ");
-  replaceAll(text, "\u207B\u00B9", "-1");
+  replaceAll(text, "\u207B", "-");
+  replaceAll(text, "\u00B9", "1");
   replaceAll(text, "^", "");
   if (text != "m\u00B2") replaceAll(text, "\u00B2", "2");
   if (text.size() > 4 && text.ends_with(" s-1")) text = text.substr(0, text.size() - 4) + "/s";
+  for (const std::string_view area : WordList("mm-2 cm-2 m-2"))  // "N mm-2"
+    if (text.size() > area.size() + 1 && text.ends_with(area) &&
+        text[text.size() - area.size() - 1] == ' ') {
+      text[text.size() - area.size() - 1] = '/';
+      text.erase(text.size() - 2, 1);
+    }
   if (text.ends_with("/sec")) text.resize(text.size() - 2);
   if (text == "mps") return "m/s";
   return text;

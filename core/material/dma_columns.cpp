@@ -130,8 +130,8 @@ DmaQuantity dmaQuantity(std::string_view word) {
   // A complex modulus has no such part by its symbol: "G* imaginary part".
   const bool isOfModulus =
       modulusKind(word) != ModulusKind::Unknown || word.find("modul") != word.npos;
-  if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil")) return Loss;
-  if (isOfModulus && containsOneOf(word, "realpart realteil")) return Storage;
+  if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil *imag")) return Loss;
+  if (isOfModulus && containsOneOf(word, "realpart realteil *real")) return Storage;
   if (isOneOf(word, "img* ime*")) return Loss;
   if (isOneOf(word, "reg* ree*")) return Storage;
   if (containsOneOf(

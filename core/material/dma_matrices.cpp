@@ -115,6 +115,43 @@ std::optional<Matrix> matrixOf(const TextBlock& block) {
   return matrix;
 }
 
+/// Returns the moduli that a line above the names of a table gives to groups of its columns, "G'
+/// (MPa);;;G'' (MPa);;"; empty where there is no such line.
+std::vector<TextColumn> valuesOfGroups(const TextBlock& block) {
+  for (auto entry = block.header.rbegin(); entry != block.header.rend(); ++entry) {
+    std::string line = joinEntry(*entry, ";");
+    std::ranges::replace(line, '\t', ';');
+    if (line.find(';') == line.npos) std::ranges::replace(line, ',', ';');
+    std::vector<TextColumn> values;
+    for (const std::string_view field : splitText(line, ";"))
+      if (!trimmedBlanks(field).empty()) values.push_back(parseColumnName(field));
+    const bool areMeasured = std::ranges::all_of(
+        values, [](const TextColumn& value) { return isMeasured(quantityOf(value)); });
+    if (values.size() > 1 && areMeasured) return values;
+  }
+  return {};
+}
+
+/// Gives the columns of matrices side by side, each below the name of its modulus, that name.
+bool nameGroups(TextBlock& block) {
+  const std::vector<TextColumn> values = valuesOfGroups(block);
+  if (values.empty() || block.columns.front().isText ||
+      (block.columns.size() - 1) % values.size() != 0)
+    return false;
+  TextColumn first = block.columns.front();
+  const TextColumn of = quantityOfColumns(first, block);
+  bool isAssumed = false;
+  const std::vector<std::string> states = statesOf(block, quantityOf(first), of, isAssumed);
+  const std::size_t count = (block.columns.size() - 1) / values.size();
+  if (states.empty() || isAssumed || count < 2) return false;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i] != states[i % count]) return false;
+  block.columns.front() = std::move(first);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    block.columns[i + 1] = {values[i / count].name + " " + states[i], values[i / count].unit};
+  return true;
+}
+
 bool haveSameRows(const TextBlock& one, const TextBlock& other) {
   return one.rows == other.rows && one.column(0) == other.column(0);
 }
@@ -123,6 +160,9 @@ bool haveSameRows(const TextBlock& one, const TextBlock& other) {
 
 void joinMatrices(TextTable& table, std::vector<Message>& notes) {
   std::vector<TextBlock>& blocks = table.blocks;
+  for (TextBlock& block : blocks)
+    if (nameGroups(block))
+      notes.emplace_back("matrices side by side have the names of their moduli above them");
   std::vector<Matrix> found;
   for (const TextBlock& block : blocks) {
     auto matrix = matrixOf(block);

@@ -64,7 +64,8 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
   // The longest unit is tried first; a letter after it belongs to another word.
   constexpr WordList kUnits(
       "Grad Celsius, grad Celsius, degrees Celsius, degrees C, \u00B0Celsius, \u00B0 Celsius, "
-      "Grad C, deg. C, \u00B0C, \u00BAC, \u2103, degC, deg C, \u00B0 C, \u00B0F, degF, Celsius, "
+      "Grad C, deg. C, \u00B0C, \u00BAC, \u02DAC, oC, \u2103, degC, deg C, \u00B0 C, \u00B0F, "
+      "degF, Celsius, "
       "celsius, Kelvin, kelvin, C, K, F",
       ',');
   for (const std::string_view written : kUnits) {

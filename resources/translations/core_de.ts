@@ -4747,6 +4747,10 @@
         <translation>hat keine Einheit, und der Median ist %1, mehr als der eines Gummis; die Einheit gehört hinter den Namen, wie in „tan delta (%)“ oder „tan delta (1)“</translation>
     </message>
     <message>
+        <source>matrices side by side have the names of their moduli above them</source>
+        <translation>Matrizen nebeneinander haben die Namen ihrer Moduln über sich</translation>
+    </message>
+    <message>
         <source>%1 has no unit: seconds are assumed</source>
         <translation>%1 hat keine Einheit: Sekunden werden angenommen</translation>
     </message>

@@ -165,6 +165,7 @@ TEST(Units, FrequenciesHaveManyUnits) {
                                     {"rad/ms", 1e3 / kTurn},
                                     {"radians/sec", 1 / kTurn},
                                     {"rad s^-1", 1 / kTurn},
+                                    {"rad\u00B7s\u207B\u00B9", 1 / kTurn},
                                     {"10^3 rad/s", 1e3 / kTurn},
                                     {"deg/s", 1.0 / 360},
                                     {"\u0440\u0430\u0434/\u0441", 1 / kTurn},

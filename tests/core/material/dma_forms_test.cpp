@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/text_number.h"
 #include "tests/core/material/dma_reading.h"
 
 namespace asperity {
@@ -350,6 +351,23 @@ TEST(DmaForms, MatricesOfBothModuliAreOneTable) {
   expectRow(corner.rows[3], 313.15, 1e4, 3e6, 3e5);
 }
 
+TEST(DmaForms, MatricesSideBySideAreOneTable) {
+  for (const char* separator : {";", "\t", ","}) {
+    std::string text =
+        ";G' (MPa);;G'' (MPa);\nf (Hz);20 \u00B0C;40 \u00B0C;20 \u00B0C;40 \u00B0C\n"
+        "1;2;1;0.2;0.1\n10;4;3;0.4;0.3\n";
+    replaceAll(text, ";", separator);
+    SCOPED_TRACE(text);
+    const DmaFile file = read(text);
+    ASSERT_EQ(file.rows.size(), 4U);
+    expectRow(file.rows[3], 313.15, 10, 3e6, 3e5);
+  }
+  // The groups have other temperatures.
+  EXPECT_NE(errorOf(";G' (MPa);;G'' (MPa);\nf (Hz);20 \u00B0C;40 \u00B0C;20 \u00B0C;60 "
+                    "\u00B0C\n1;2;1;0.2;0.1\n10;4;3;0.4;0.3\n"),
+            "no error");
+}
+
 TEST(DmaForms, NamesInRussianTurkishAndCzechAreRead) {
   for (const char* names :
        {"\u0427\u0430\u0441\u0442\u043E\u0442\u0430 (\u0413\u0446);"
@@ -400,6 +418,10 @@ TEST(DmaForms, PartsOfAComplexModulusAndItsLetterAreNames) {
             293.15, 10, 4e6, 4e5);
   expectRow(
       read("f_Hz,T_C,Storage_Modulus_E_MPa,Loss_Modulus_E_MPa\n1,20,6,0.6\n10,20,12,1.2\n").rows[1],
+      293.15, 10, 4e6, 4e5);
+  expectRow(
+      read("f [Hz];T [oC];G* real [N mm-2];G* imag [N mm\u207B\u00B2]\n1;20;2;0.2\n10;20;4;0.4\n")
+          .rows[1],
       293.15, 10, 4e6, 4e5);
   // "Elastik" is a word of modulus and no letter of it.
   expectRow(
