@@ -80,6 +80,10 @@ void separateUnit(TextColumn& column) {
 /// Joins the symbol of friction to the name of its error, "s(\u00B5)" and "\u03C3_\u00B5": nobody
 /// measures an error of friction in microns.
 void joinSymbol(TextColumn& column) {
+  // "COF (min)" and "COF (max)" are bounds.
+  if (column.unit == "min" && findMeaning(column.name, {}) == FrictionQuantity::Mu)
+    column = {column.name + " min", {}, column.isText};
+  if (column.name.ends_with(" (max)")) replaceAll(column.name, "(max)", "max");
   if (!isOneOf(column.unit, "\u00B5 \u03BC")) return;
   const std::string name = column.name + "(" + column.unit + ")";
   if (findMeaning(name, {}) != FrictionQuantity::MuError) return;

@@ -885,6 +885,10 @@ TEST(FrictionData, ALoadMayBeAPressureAndAVelocityPerHour) {
   const FrictionData data = parsed("v (m/h);mu;Load (MPa)\n3,6;0,5;0,2\n7,2;0,6;0,2\n");
   EXPECT_NEAR(data.points[0].velocity, 1e-3, 1e-15);
   EXPECT_DOUBLE_EQ(data.points[0].nominalPressure, 2e5);
+  for (const std::string bound : {"min", "max"})
+    EXPECT_THAT(
+        errorOf("v (m/s);COF (avg);COF (" + bound + ")\n1;0,5;0,4\n2;0,6;0,5\n"),
+        HasSubstr("column COF " + bound + ": bounds of the coefficient of friction are not read"));
   EXPECT_DOUBLE_EQ(parsed("v (m/s);mu (\u2030)\n1;500\n2;600\n").points[0].mu, 0.5);
   EXPECT_NE(errorOf("v (m/s);mu;Normal force (MPa)\n1;0,5;1\n2;0,6;1\n"), "no error");
   EXPECT_NEAR(parsed("v (m/s);mu;T (deg F)\n1;0,5;68\n2;0,6;68\n").points[0].temperature, 293.15,
