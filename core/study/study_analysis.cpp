@@ -142,6 +142,7 @@ class SobolSums {
       if (sums_[static_cast<std::size_t>(group) * stride()] > 0) filled.push_back(group);
     const int groups = static_cast<int>(filled.size());
     if (groups < 2) return index;
+    index.halfInterval = studentQuantile(groups - 1);
     const auto left = [&](int out) {
       return out < 0 ? out : filled[static_cast<std::size_t>(out)];
     };

@@ -21,6 +21,7 @@ struct SobolIndex {
   std::size_t axis = 0;
   Estimate first;  // Var(E(y | x)) / Var(y): the part of the variance that goes if x is known
   Estimate total;  // E(Var(y | all others)) / Var(y): the part that stays if all others are known
+  double halfInterval = 0;  // standard errors from an estimate to each end of its 95 % interval
 };
 
 /// The mean of an output over all simulations with one value of a column, or with a value in one

@@ -18,10 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Half of a 95 % confidence interval, in standard errors of a jackknife over 20 groups: Student's
-/// t with 19 degrees of freedom.
-constexpr double kHalfInterval = 2.093;
-
 std::string joined(const std::vector<std::string>& cells) {
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
@@ -79,7 +75,7 @@ std::string indicesCsv(const ParameterStudy& study, const StudyAnalysis& analysi
       std::vector<std::string> cells{output.name, key};
       for (const Estimate& estimate :
            {index ? index->first : Estimate{}, index ? index->total : Estimate{}}) {
-        const double half = kHalfInterval * estimate.standardError;
+        const double half = index ? index->halfInterval * estimate.standardError : kNotApplicable;
         for (const double value : {estimate.value, estimate.value - half, estimate.value + half})
           cells.push_back(csvNumber(value));
       }
@@ -186,8 +182,8 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
     for (const SobolIndex& index : output.indices) {
       constexpr double kAside = 0.12;
       const double x = static_cast<double>(index.axis) + 1;
-      const auto point = [](double at, const Estimate& estimate) {
-        return pointWithError(at, estimate.value, kHalfInterval * estimate.standardError);
+      const auto point = [&index](double at, const Estimate& estimate) {
+        return pointWithError(at, estimate.value, index.halfInterval * estimate.standardError);
       };
       first.points.push_back(point(x - kAside, index.first));
       total.points.push_back(point(x + kAside, index.total));

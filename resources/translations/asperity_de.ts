@@ -4693,8 +4693,8 @@
         <translation>Linie</translation>
     </message>
     <message>
-        <source>dimensionless F̄ = %1</source>
-        <translation>dimensionslos F̄ = %1</translation>
+        <source>force F̄ = %1</source>
+        <translation>Kraft F̄ = %1</translation>
     </message>
     <message>
         <source>F̄ = %1</source>
@@ -4709,8 +4709,8 @@
         <translation>In diesem Fenster ist kein Platz für: %1.</translation>
     </message>
     <message>
-        <source>dimensionless v̄ = %1</source>
-        <translation>dimensionslos v̄ = %1</translation>
+        <source>velocity v̄ = %1</source>
+        <translation>Geschw. v̄ = %1</translation>
     </message>
     <message>
         <source>1 frame/s</source>

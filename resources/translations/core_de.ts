@@ -1351,8 +1351,8 @@
         <translation>Sinuswellen in einer Periode der Linie.</translation>
     </message>
     <message>
-        <source>How fast the line slides; of an oscillation the mean velocity.</source>
-        <translation>Wie schnell die Linie gleitet; bei einer Schwingung die mittlere Geschwindigkeit.</translation>
+        <source>How fast or slowly the line slides, its speed; of an oscillation the mean velocity.</source>
+        <translation>Wie schnell oder langsam die Linie gleitet; bei einer Schwingung die mittlere Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Slope of the wedge's two sides.</source>

@@ -20,7 +20,7 @@ constexpr std::array<Rgba, kDistinctColours> kOnLight = {
 constexpr std::array<Rgba, kDistinctColours> kOnDark = {
     colourFrom(0x56B4E9), colourFrom(0xFF8A3D), colourFrom(0x22C294),
     colourFrom(0xDD8FBC), colourFrom(0xF0E442), colourFrom(0x5C8DF0),
-    colourFrom(0xC9A26B), colourFrom(0x9484FF), colourFrom(0xD65030)};
+    colourFrom(0xC9A26B), colourFrom(0x735FFF), colourFrom(0xD65030)};
 
 constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // part that is visible on dark and on white
 

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_text.h"
 
+#include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 
@@ -81,7 +82,8 @@ QString labelWithSymbol(const Parameter& parameter) {
 
 QString withLabels(const QString& text) {
   static const QRegularExpression key(
-      QStringLiteral(R"(([a-z_]+(?:\.[a-z0-9_]+)+)(?:=(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?))?)"));
+      QStringLiteral(R"(([a-z_]+(?:\.[a-z0-9_]+)+)(?:=(-?\d(?:[\d.,]*\d)?(?:e[-+]?\d+)?))?)"));
+  const QLocale locale(fromUtf8(presentLanguage()));
   QString labelled;
   qsizetype end = 0;
   for (auto it = key.globalMatch(text); it.hasNext();) {
@@ -90,7 +92,7 @@ QString withLabels(const QString& text) {
     labelled += text.mid(end, match.capturedStart() - end);
     labelled += parameter ? inQuotes(labelText(*parameter)) : match.captured();
     if (parameter && match.hasCaptured(2))
-      labelled += " = " + textWithUnit(*parameter, match.captured(2).toDouble());
+      labelled += " = " + textWithUnit(*parameter, locale.toDouble(match.captured(2)));
     end = match.capturedEnd();
   }
   return labelled + text.mid(end);

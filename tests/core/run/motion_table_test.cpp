@@ -238,6 +238,7 @@ TEST(MotionTable, ThePictureHasTheGuideThatItExplains) {
       for (const Rheology rheology : {Rheology::Kelvin, Rheology::StandardSolid}) {
         Scene scene = someMotion(kind);
         scene.elastomer.rheology = rheology;
+        scene.sliding.velocityAfter = 0.6;
         MotionOptions options;
         options.lines = lines;
         const DiagramSheet sheet = motionSheet(scene, marchMotion(scene, options));

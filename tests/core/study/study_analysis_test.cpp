@@ -118,6 +118,17 @@ TEST(SobolIndices, AreStatedWithASmallerErrorThanThoseOfRandomPoints) {
   }
 }
 
+/// The interval is that of Student's t (0.975) with one degree of freedom less than there are
+/// groups: 4 blocks are 4 groups, many are 16.
+TEST(SobolIndices, HaveTheIntervalOfTheirGroups) {
+  for (const auto& [blocks, quantile] : {std::pair{4, 3.1824}, std::pair{512, 2.1314}}) {
+    const OutputAnalysis found = analysed(
+        StudySpace({axisOf(kKeys[0], 0, 1), axisOf(kKeys[1], 0, 1)}, Sampling::Saltelli, blocks, 3),
+        [](const std::vector<double>& x) { return x[0] + x[1]; });
+    EXPECT_NEAR(found.indices[0].halfInterval, quantile, 1e-3) << blocks;
+  }
+}
+
 TEST(SobolIndices, ABlockWithAFailureIsLeftOut) {
   std::vector<StudyAxis> axes{axisOf(kKeys[0], 0, 1), axisOf(kKeys[1], 0, 1)};
   const OutputAnalysis found = analysed(

@@ -71,9 +71,10 @@ TEST(Probe, SaysItInEngineeringUnits) {
   std::string all;
   for (const ProbeLine& line : probeLines(*probeReading(frame, 1e-3)))
     all += line.label + " = " + line.value + "; ";
-  EXPECT_EQ(all,
-            "position x = 1.000 mm; rigid line z = \u22121.00 \u00B5m; elastomer u = \u22121.00 "
-            "\u00B5m; line load p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
+  EXPECT_EQ(
+      all,
+      "position x = 1.000 mm; rigid line z \u2212 d = \u22121.00 \u00B5m; elastomer u = \u22121.00 "
+      "\u00B5m; line load p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
 }
 
 Scene movingScene(SlidingKind kind) {

@@ -29,7 +29,7 @@ TEST(Explained, TheEquilibriumModulusHasALoweredSign) {
 TEST(Explained, ATipSaysWhatTheSymbolsOfItsFormulaMean) {
   const QString velocity = explanationHtml(*findExplanation(std::string_view("sliding.velocity")));
   for (const char* text : {"η: viscosity (G τ in Kelvin elements)", "z: height of the line",
-                           "Δx: distance between elements"})
+                           "p: line load", "d: indentation"})
     EXPECT_TRUE(velocity.contains(QString::fromUtf8(text))) << velocity.toStdString();
   EXPECT_FALSE(velocity.contains("displacement")) << velocity.toStdString();
   const QString shift = explanationHtml(*findExplanation(std::string_view("elastomer.shift.c1")));

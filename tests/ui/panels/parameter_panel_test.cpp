@@ -20,6 +20,7 @@
 #include "core/scene/parameters.h"
 #include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/language/language.h"
 #include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
@@ -211,7 +212,7 @@ TEST_F(ParameterPanelTest, RefusalsNameTheRangeInReadableUnits) {
             "40 °C is a temperature; expected a length, such as 20 mm");
   type("elastomer.temperature", "40 °C");
   EXPECT_EQ(panel_.scene().elastomer.temperature, 313.15);
-  EXPECT_TRUE(slider("surface.length").toolTip().contains("usually 100 \u00B5m to 1 m"));
+  EXPECT_TRUE(slider("surface.length").toolTip().contains("slider: 100 \u00B5m to 1 m"));
 }
 
 TEST_F(ParameterPanelTest, SentencesHaveABox) {
@@ -291,7 +292,7 @@ TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {
   panel_.setScene(solid);
   EXPECT_EQ(label("elastomer.equilibrium_modulus"),
             QStringLiteral("equilibrium modulus&nbsp;&nbsp;<i>G</i><sub>∞</sub>"));
-  EXPECT_EQ(label("elastomer.shift.c1"), "shift&nbsp;&nbsp;<i>C</i><sub>1</sub>");
+  EXPECT_EQ(label("elastomer.shift.c1"), "constant&nbsp;&nbsp;<i>C</i><sub>1</sub>");
   auto* rheology = control<QComboBox>("choice:elastomer.rheology");
   EXPECT_EQ(rheology->itemText(rheology->findData("kelvin")), "Kelvin");
   EXPECT_EQ(rheology->itemText(rheology->findData("standard_solid")), "standard solid");
@@ -430,6 +431,14 @@ TEST(WithLabels, AnAssignmentIsShownAsItsRowShowsIt) {
   EXPECT_EQ(withLabels("see load.normal_force."), "see “normal force”.");
   EXPECT_EQ(withLabels("elastomer.shear_modulus=2e7, no.such.key=3"),
             "“shear modulus” = 20 MPa, no.such.key=3");
+}
+
+/// The numbers of a translated message are those of its language.
+TEST(WithLabels, AnAssignmentIsReadWithADecimalComma) {
+  useLanguage("de");
+  EXPECT_EQ(withLabels("gilt bei elastomer.temperature=293,15, nicht sonst"),
+            "gilt bei „Temperatur“ = 293,15 K, nicht sonst");
+  useLanguage("en");
 }
 
 }  // namespace

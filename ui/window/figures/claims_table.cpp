@@ -139,17 +139,23 @@ int ClaimsTable::longest(int column) const {
   return width + 2 * kBesideText + kInside;
 }
 
-/// Gives each column the width of its texts, within limits; the claim gets the rest.
+/// Gives each column the width of its texts, within limits that grow with the table; the claim gets
+/// the rest.
 void ClaimsTable::setWidths() {
   ensurePolished();
-  const int letter = fontMetrics().averageCharWidth();
+  const int letter = fontMetrics().averageCharWidth(), share = width() / 8;
   for (const auto& [column, letters] :
        {std::pair{kHolds, 17}, {kComputed, 20}, {kExpected, 13}, {kWhere, 18}}) {
     const int needed = std::max(sizeHintForColumn(column),
                                 horizontalHeader()->sectionSizeHint(column) + 2 * letter);
     horizontalHeader()->resizeSection(
-        column, std::max(std::min(needed, letters * letter), longest(column)));
+        column, std::max(std::min(needed, std::max(letters * letter, share)), longest(column)));
   }
+}
+
+void ClaimsTable::resizeEvent(QResizeEvent* event) {
+  QTableWidget::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) setWidths();
 }
 
 void ClaimsTable::changeEvent(QEvent* event) {

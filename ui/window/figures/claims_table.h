@@ -23,6 +23,7 @@ class ClaimsTable : public QTableWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showTexts();

@@ -113,12 +113,12 @@ QString rateText(double rate) {
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
-/// These functions return the forms of a number: "dimensionless F̄ = 0.034" and "F̄ = 0.034".
+/// These functions return the forms of a number: "force F̄ = 0.034" and "F̄ = 0.034".
 QStringList forceForms(const QString& number) {
-  return {StatusLine::tr("dimensionless F̄ = %1").arg(number), StatusLine::tr("F̄ = %1").arg(number)};
+  return {StatusLine::tr("force F̄ = %1").arg(number), StatusLine::tr("F̄ = %1").arg(number)};
 }
 QStringList velocityForms(const QString& number) {
-  return {StatusLine::tr("dimensionless v̄ = %1").arg(number), StatusLine::tr("v̄ = %1").arg(number)};
+  return {StatusLine::tr("velocity v̄ = %1").arg(number), StatusLine::tr("v̄ = %1").arg(number)};
 }
 
 QString velocityTip() {

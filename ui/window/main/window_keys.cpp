@@ -294,9 +294,9 @@ void ShortcutSheet::arrange(qsizetype columns) {
 }
 
 QSize ShortcutSheet::neededSize() const {
-  // All widgets get their layout requests now, because a group is laid out before the list receives
-  // its size.
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  // Layouts keep the sizes of before a change of letters until they get their events.
+  for (QWidget* group : widgets_) group->layout()->invalidate();
+  content_->layout()->invalidate();
   return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
 }
 
@@ -309,8 +309,8 @@ void ShortcutSheet::scaleLetters(double factor) {
 }
 
 /// Makes the list as large as needed, once fonts and style are those of the screen. Where it would
-/// be larger than the window, its letters become a little smaller; where that is not enough, it has
-/// fewer columns that scroll.
+/// be larger than the window, its letters become smaller; where that is not enough, they are as
+/// usual, in fewer columns that scroll.
 void ShortcutSheet::showEvent(QShowEvent* event) {
   const QSize available = parentWidget() ? parentWidget()->size() - kWindowFrame : neededSize();
   const auto fits = [&](bool mayScroll) {

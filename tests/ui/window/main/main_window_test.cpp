@@ -443,9 +443,9 @@ TEST_F(MainWindowTest, LightAndDark) {
 
 TEST_F(MainWindowTest, FactsComeFromTheFrame) {
   ASSERT_TRUE(waitForFrame());
-  EXPECT_EQ(fact("factForce"), QStringLiteral("dimensionless F̄ = 0.034"));
+  EXPECT_EQ(fact("factForce"), QStringLiteral("force F̄ = 0.034"));
   EXPECT_TRUE(control<QLabel>("factForce").toolTip().contains("Eq. (14)"));
-  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("dimensionless v̄ = ")));
+  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("velocity v̄ = ")));
   EXPECT_TRUE(control<QLabel>("factVelocity").toolTip().contains("Eq. (13)"));
   EXPECT_TRUE(fact("factMu").startsWith(
       QStringLiteral("this line μ = %1").arg(QString::number(frame()->muSteady, 'g', 3))));
