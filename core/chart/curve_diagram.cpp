@@ -25,9 +25,9 @@ Message meanName(const NamedCurve& curve, const CurveSet& set) {
   const std::vector<CurvePoint>& points = curve.points;
   const bool isPart = hasLocalFriction(curve.scene) && set.quantity() != CurveQuantity::MuTotal;
   if (points.empty() || points.front().realizations <= 1)
-    return isPart ? "this line, deformation alone" : "this line";
+    return isPart ? "deformation alone, this line" : "this line";
   const std::int64_t lines = points.front().realizations;
-  return isPart ? message("mean of {} lines \u00B1 standard error, deformation alone", lines)
+  return isPart ? message("deformation alone, mean of {} lines \u00B1 standard error", lines)
                 : message("mean of {} lines \u00B1 standard error", lines);
 }
 

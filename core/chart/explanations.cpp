@@ -111,7 +111,7 @@ constexpr std::array kTable{
         "Friction of the one line that the picture shows, at every velocity of the curve.",
         "steady"},
     HoverExplanation{
-        "this line, deformation alone", "μ = |F_x|/F_N",
+        "deformation alone, this line", "μ = |F_x|/F_N",
         "Friction of the one line that the picture shows, without what the interface adds.",
         "steady"},
     HoverExplanation{
@@ -120,7 +120,7 @@ constexpr std::array kTable{
         "of that mean, not the scatter of the lines.",
         "statistics"},
     HoverExplanation{
-        "mean of %1 lines ± standard error, deformation alone", "⟨μ⟩ ± s/√n",
+        "deformation alone, mean of %1 lines ± standard error", "⟨μ⟩ ± s/√n",
         "Mean over random lines of what the deformation costs, without what the interface "
         "adds.",
         "statistics"},

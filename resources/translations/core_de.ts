@@ -2583,12 +2583,12 @@
         <translation>Mittel über %1 Linien ± Standardfehler</translation>
     </message>
     <message>
-        <source>mean of %1 lines ± standard error, deformation alone</source>
-        <translation>Mittel über %1 Linien ± Standardfehler, nur Verformung</translation>
+        <source>deformation alone, mean of %1 lines ± standard error</source>
+        <translation>nur Verformung, Mittel über %1 Linien ± Standardfehler</translation>
     </message>
     <message>
-        <source>this line, deformation alone</source>
-        <translation>diese Linie, nur Verformung</translation>
+        <source>deformation alone, this line</source>
+        <translation>nur Verformung, diese Linie</translation>
     </message>
     <message>
         <source>region I</source>
