@@ -242,13 +242,15 @@ const char* const kBatchFormat =
       "set": {"ensemble.realizations": 20},
       "sweep": {"load.normal_force": {"from": 1e-3, "to": 10, "points": 5},
                 "surface.hurst": [0.3, 0.7, 1]}}]}
-An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
-key, with units as texts: "1 mN". A sweep is a list, or a range, logarithmic unless "scale":
-"linear"; several keys make a grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv, contact_sheet.png
-(of more than 100 scenes only with --contact-sheet), and for each scene NAME.png, NAME.json (the scene)
-and, of curve, both and transient, NAME.csv: the curve, or the motion as asperity motion writes it,
-in at most 2000 rows. In results.csv mu, indentation and contact_fraction are means over the
-scene's lines at its velocity, empty for a motion; line_mu and its like are of the line shown.
+An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene
+itself; set and sweep take any scene key, with units as texts: "1 mN". A sweep is a list, or a range,
+logarithmic unless "scale": "linear"; several keys make a grid. show: contact, curve, both, or
+transient. Curves show the measured friction that their scenes name (comparison.data).
+DIR gets index.html, results.csv, contact_sheet.png (of more than 100 scenes only with
+--contact-sheet), and for each scene NAME.png, NAME.json (the scene) and, of curve, both and
+transient, NAME.csv: the curve, or the motion as asperity motion writes it, in at most 2000 rows. In
+results.csv mu, indentation and contact_fraction are means over the scene's lines at its velocity,
+empty for a motion; mu_total includes local friction; line_mu and its like are of the line shown.
 An entry with a mistake is named and left out; the others are made, and the exit status is 1.)";
 
 std::vector<std::string> outputFiles(const BatchItem& item) {

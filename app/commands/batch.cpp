@@ -209,10 +209,11 @@ class BatchRun {
       result.item = std::move(item);
     }
     result.reading = readingFacts(result.item.scene);
+    const std::vector<FrictionData> measured = measuredFriction(result, content.layout);
     const std::vector<CurvePoint> curve =
         known ? known->curve : computeMeans(result, content.layout);
     if (known && !grid_) return;
-    if (!curve.empty()) content.curves = curvesOf(result, shown, curve);
+    if (!curve.empty()) content.curves = curvesOf(shown, curve, measured);
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
@@ -228,13 +229,28 @@ class BatchRun {
                static_cast<float>(left), static_cast<float>(top));
   }
 
+  static bool showsCurve(PictureLayout layout) {
+    return layout == PictureLayout::Curve || layout == PictureLayout::Both;
+  }
+
+  /// Reads the measured friction that the scene names, where the picture shows a curve, before
+  /// anything is computed; how it was read is added to the result.
+  static std::vector<FrictionData> measuredFriction(BatchResult& result, PictureLayout layout) {
+    std::vector<FrictionData> measured;
+    if (showsCurve(layout)) measured = readComparisonData(result.item.scene);
+    for (const FrictionData& table : measured)
+      for (const Message& note : table.notes)
+        result.reading.push_back(message("{}: {}", Message::name(table.name), note));
+    return measured;
+  }
+
   /// Computes the mean of a scene over its lines, and its curve where the picture shows it. Returns
   /// the curve.
   std::vector<CurvePoint> computeMeans(BatchResult& result, PictureLayout layout) const {
     const Scene& scene = result.item.scene;
     const CurveOptions options{.threads = command_.common.threads};
     Curve curve;
-    if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
+    if (showsCurve(layout)) {
       requireSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       curve = computeCurve(scene, options);
       result.missed = missedTarget(curve).value_or(Message());
@@ -247,15 +263,11 @@ class BatchRun {
   }
 
   /// Returns the curve with what the scene compares it with: measured friction and theories.
-  CurveSet curvesOf(BatchResult& result, const Scene& shown,
-                    const std::vector<CurvePoint>& curve) const {
+  CurveSet curvesOf(const Scene& shown, const std::vector<CurvePoint>& curve,
+                    const std::vector<FrictionData>& measured) const {
     CurveSet set;
     set.present = {{}, shown, curve, 0};
-    if (hasComparisons(set))
-      addComparisons(set, readComparisonData(shown), {.threads = command_.common.threads});
-    for (const MeasuredCurve& measured : set.measured)
-      for (const Message& note : measured.data.notes)
-        result.reading.push_back(message("{}: {}", Message::name(measured.data.name), note));
+    if (hasComparisons(set)) addComparisons(set, measured, {.threads = command_.common.threads});
     return set;
   }
 
@@ -280,9 +292,11 @@ class BatchRun {
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
       const bool isAlone = scene.comparison == Comparisons{};
-      writeFileAtomically(fileIn(name + ".csv"), provenanceComment("batch", scene) +
-                                                     (isAlone ? curveCsv(curve, columnsFor(scene))
-                                                              : curveSetCsv(content.curves)));
+      CurveSet curves = content.curves;
+      curves.present.scene = scene;  // tables name it in English
+      writeFileAtomically(fileIn(name + ".csv"),
+                          provenanceComment("batch", scene) +
+                              (isAlone ? curveCsv(curve, columnsFor(scene)) : curveSetCsv(curves)));
       result.files.push_back(name + ".csv");
     }
     if (layoutFrom(result.item.show) == PictureLayout::Transient) {

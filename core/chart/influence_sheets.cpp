@@ -165,6 +165,7 @@ std::vector<Message> describeCutoff(const std::vector<CutoffPoint>& points) {
   std::vector<Message> lines;
   if (points.size() < 2) return lines;
   const double half = points.back().state.mu / 2;
+  if (!(half > 0)) return lines;
   // From the whole line on towards longer waves, to the first point with less than half.
   for (std::size_t i = points.size() - 1; i > 0; --i) {
     const CutoffPoint &shorter = points[i], &longer = points[i - 1];
@@ -174,7 +175,7 @@ std::vector<Message> describeCutoff(const std::vector<CutoffPoint>& points) {
         longer.wavelength * std::pow(shorter.wavelength / longer.wavelength, part);
     lines.push_back(
         message("without waves shorter than {} friction of deformation is half as large",
-                PrintedNumber{printedQuantity(wavelength, "m", 2)}));
+                printed(wavelength, "m", 2)));
     break;
   }
   const double share = points.back().shareOfDecade.value;

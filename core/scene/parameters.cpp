@@ -197,7 +197,7 @@ const std::array kTable{
 
     Parameter{"sliding.kind", "motion", "", "", "How the line moves.", kLive, {},
               ASPERITY_CHOICE(sliding, kind, kSlidingKinds)},
-    Parameter{"sliding.velocity", "velocity", "v", "m/s", "How fast or slowly the line slides, its speed; of an oscillation the mean velocity.", kLive, {},
+    Parameter{"sliding.velocity", "velocity", "v", "m/s", "The speed of the line: how fast or slowly it slides; of an oscillation the mean velocity.", kLive, {},
               RealField{ASPERITY_MEMBER(sliding, velocity), 0, 1e12, 1e-6, 1e4, kLog}},
     Parameter{"sliding.velocity_after", "velocity after", "v_2", "m/s", "Velocity from half of the duration on; below 0 the line goes back.", kLive, {"sliding.kind", "step"},
               RealField{ASPERITY_MEMBER(sliding, velocityAfter), -1e12, 1e12, -10, 10, kLin}},

@@ -183,10 +183,6 @@
         <translation>reduzierte Gleitgeschwindigkeit aᴛ v bei %1 K</translation>
     </message>
     <message>
-        <source>%1, %2 K</source>
-        <translation>%1; %2 K</translation>
-    </message>
-    <message>
         <source>%1 is not shown: its rubber has no shift at %2 K.</source>
         <translation>%1 wird nicht gezeigt: Das Elastomer hat bei %2 K keine Verschiebung.</translation>
     </message>
@@ -1351,7 +1347,7 @@
         <translation>Sinuswellen in einer Periode der Linie.</translation>
     </message>
     <message>
-        <source>How fast or slowly the line slides, its speed; of an oscillation the mean velocity.</source>
+        <source>The speed of the line: how fast or slowly it slides; of an oscillation the mean velocity.</source>
         <translation>Wie schnell oder langsam die Linie gleitet; bei einer Schwingung die mittlere Geschwindigkeit.</translation>
     </message>
     <message>
@@ -4720,7 +4716,7 @@
     </message>
     <message>
         <source>%1 has no unit, as others have; write it after the number</source>
-        <translation>%1 hat keine Einheit, anders als weitere; sie gehört hinter die Zahl</translation>
+        <translation>%1 hat keine Einheit, anders als andere; sie gehört hinter die Zahl</translation>
     </message>
     <message>
         <source>%1 has the unit %2, which is not understood</source>
@@ -4976,7 +4972,7 @@
     </message>
     <message>
         <source>there is no such file; the nearest shipped scene is %1</source>
-        <translation>es gibt keine solche Datei; die nächste mitgelieferte Szene ist %1</translation>
+        <translation>es gibt keine solche Datei; am ähnlichsten ist die mitgelieferte Szene %1</translation>
     </message>
     <message>
         <source>Measured friction holds local friction, the curves of other settings do not: with mu_total as the vertical axis, all do.</source>

@@ -93,6 +93,15 @@ TEST_F(BatchTest, ShowsMeasuredAndLocalFriction) {
   auto row = rowOf(read("out/new/results.csv"), "a");
   EXPECT_NEAR(std::stod(row["mu_total"]), mu + 0.25, 1e-12);
   EXPECT_THAT(read("out/new/index.html"), HasSubstr("<td>with local friction</td>"));
+  // Its tables are those of every language.
+  const Said german = program.run("batch b.json -o out/de --language de");
+  EXPECT_EQ(german.status, 1);
+  const auto rowsOf = [](const std::string& csv) { return csv.substr(csv.find("\nseries,")); };
+  EXPECT_EQ(rowsOf(read("out/de/a.csv")), rowsOf(read("out/new/a.csv")));
+  // A run that continues says once more how the data were read: the other entry failed.
+  const Said continued = program.run("batch b.json -o out/new --json");
+  EXPECT_EQ(nlohmann::json::parse(continued.out)["scenes"],
+            nlohmann::json::parse(said.out)["scenes"]);
   // The scene of the folder finds the files of the scene that it was made from.
   const Said again = program.run("curve out/new/a.json -o again.csv");
   EXPECT_EQ(again.status, 0) << again.err;

@@ -25,8 +25,9 @@ def test_a_file_reads_as_the_program_reads_it(scene_file):
 def test_a_shipped_scene_has_its_name():
     assert "viscoelastic" in asperity.Scene("figure_1.json")["title"]
     assert asperity.Scene("figure_1") == asperity.Scene("figure_1.json")
-    with pytest.raises(asperity.InputError, match="the nearest shipped scene is figure_2"):
+    with pytest.raises(asperity.InputError, match="the nearest shipped scene is figure_2") as caught:
         asperity.Scene("figur_2.json")
+    assert (caught.value.file, caught.value.key) == ("figur_2.json", None)
     with pytest.raises(asperity.InputError):
         asperity.Scene("no_such_scene.json")
 

@@ -199,12 +199,12 @@ QString withLoweredInfinity(const QString& text) {
   return text.toHtmlEscaped().replace(QStringLiteral("G∞"), QStringLiteral("G<sub>∞</sub>"));
 }
 
-/// Returns what finds a symbol in a formula: z in "z′" and "η v z′", but not in "∇z", and C not in
-/// "C₁".
+/// Returns what finds a symbol in a formula: z in "z′" and "η v z′", but not in "∇z", C not in
+/// "C₁", and G not in "G∞" or "G(t)".
 QRegularExpression symbolPattern(const QString& symbol) {
   const bool isLatin = symbol.size() == 1 && symbol[0].unicode() < 128;
-  const QString pattern =
-      isLatin ? QStringLiteral("(?<![\\p{L}∇_])%1(?![\\p{L}\\p{N}_])") : QStringLiteral("%1(?!_)");
+  const QString pattern = isLatin ? QStringLiteral("(?<![\\p{L}∇_])%1(?![\\p{L}\\p{N}_∞″]|\\(t)")
+                                  : QStringLiteral("%1(?!_)");
   return QRegularExpression(pattern.arg(QRegularExpression::escape(symbol)));
 }
 

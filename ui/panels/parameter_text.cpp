@@ -91,8 +91,11 @@ QString withLabels(const QString& text) {
     const Parameter* parameter = findParameter(match.captured(1).toStdString());
     labelled += text.mid(end, match.capturedStart() - end);
     labelled += parameter ? inQuotes(labelText(*parameter)) : match.captured();
-    if (parameter && match.hasCaptured(2))
-      labelled += " = " + textWithUnit(*parameter, locale.toDouble(match.captured(2)));
+    if (parameter && match.hasCaptured(2)) {
+      bool isNumber = false;
+      const double value = locale.toDouble(match.captured(2), &isNumber);
+      labelled += " = " + (isNumber ? textWithUnit(*parameter, value) : match.captured(2));
+    }
     end = match.capturedEnd();
   }
   return labelled + text.mid(end);

@@ -107,9 +107,10 @@ def _assignments(values):
     return texts
 
 
-def _input_error(key, message):
-    error = InputError(f"{key}: {message}")
-    error.file, error.key, error.message = None, key, message
+def _input_error(key, message, file=None):
+    """An InputError of a key or an argument, or of a file where the key is None."""
+    error = InputError(f"{key or file}: {message}")
+    error.file, error.key, error.message = file, key, message
     return error
 
 
@@ -156,7 +157,8 @@ class Scene:
                 with open(shipped, encoding="utf-8") as file:
                     self._core = _core.Scene(file.read(), os.path.basename(shipped), "", assignments)
             elif not os.path.exists(name) and (near := _nearest_scene(name)):
-                raise _input_error(name, f"there is no such file; the nearest shipped scene is {near}")
+                raise _input_error(
+                    None, f"there is no such file; the nearest shipped scene is {near}", name)
             else:
                 self._core = _core.Scene(name, assignments)
 
@@ -322,7 +324,8 @@ class _Result:
         elif extension in (".png", ".svg", ".pdf"):
             data = self.picture(extension[1:])
         else:
-            raise _input_error(os.fspath(file), "the extension is not .csv, .json, .png, .svg or .pdf")
+            raise _input_error(
+                None, "the extension is not .csv, .json, .png, .svg or .pdf", os.fspath(file))
         with open(file, "wb") as opened:
             opened.write(data)
 
@@ -845,7 +848,7 @@ def _data_text(table, columns):
 def _range_text(key, limits):
     if limits is None:
         return key
-    if isinstance(limits, str) or len(limits) != 2:
+    if isinstance(limits, str) or not hasattr(limits, "__len__") or len(limits) != 2:
         raise _input_error(key, f"{limits!r} is neither None nor (low, high)")
     low, high = (limit if isinstance(limit, str) else repr(float(limit)) for limit in limits)
     return f"{key}={low}:{high}"

@@ -44,6 +44,8 @@ TEST(DescribeCutoff, SaysWhichWavesMakeFriction) {
   points.back().shareOfDecade.value = 0.05;
   EXPECT_EQ(describeCutoff(points).size(), 1U);
   EXPECT_TRUE(describeCutoff({}).empty());
+  for (CutoffPoint& point : points) point.state.mu = 0;  // an elastic body, or a line at rest
+  EXPECT_TRUE(describeCutoff(points).empty());
 }
 
 TEST(SensitivitySheet, WhatHasNoErrorCounts) {

@@ -32,6 +32,9 @@ TEST(Explained, ATipSaysWhatTheSymbolsOfItsFormulaMean) {
                            "p: line load", "d: indentation"})
     EXPECT_TRUE(velocity.contains(QString::fromUtf8(text))) << velocity.toStdString();
   EXPECT_FALSE(velocity.contains("displacement")) << velocity.toStdString();
+  const QString arms =
+      explanationHtml(*findExplanation(std::string_view("elastomer.equilibrium_modulus")));
+  EXPECT_FALSE(arms.contains("shear modulus")) << "G∞ and G(t) are no G: " << arms.toStdString();
   const QString shift = explanationHtml(*findExplanation(std::string_view("elastomer.shift.c1")));
   EXPECT_TRUE(shift.contains("a<sub>T</sub>: factor")) << shift.toStdString();
   EXPECT_FALSE(shift.contains("spectral")) << "C₁ is no C: " << shift.toStdString();

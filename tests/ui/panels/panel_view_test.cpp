@@ -477,7 +477,7 @@ TEST_F(PanelViewTest, TooltipsHaveTheFormulaAndTheMenuLeadsToTheGuide) {
 /// The sentence comes first, and the key last, for those who write files.
 TEST_F(PanelViewTest, TooltipsBeginWithTheSentence) {
   const QString tip = slider("sliding.velocity").toolTip();
-  const qsizetype sentence = tip.indexOf("How fast or slowly the line slides"),
+  const qsizetype sentence = tip.indexOf("how fast or slowly it slides"),
                   formula = tip.indexOf("p = 4"), keys = tip.indexOf("Arrow keys"),
                   key = tip.indexOf("sliding.velocity");
   EXPECT_GE(sentence, 0);

@@ -132,7 +132,7 @@ void keepMnemonics(QMenu& menu) {
 namespace {
 
 constexpr int kAround = 40;           // pixels around the groups, including a scroll bar
-constexpr double kMinLetters = 0.85;  // smallest factor of the usual size of letters
+constexpr double kMinLetters = 0.85;  // below this factor of the usual size letters get no smaller
 constexpr double kSmaller = 0.97;     // factor of one step
 constexpr qsizetype kMostColumns = 3;
 
