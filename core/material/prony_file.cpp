@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -11,6 +15,7 @@
 #include "core/material/element_law.h"
 #include "core/material/prony_keywords.h"
 #include "core/material/prony_table.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 namespace {
@@ -138,18 +143,33 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   return file;
 }
 
+/// Reads arms that are named numbers, and a table of shift factors beside them.
+std::optional<RawSeries> namedSeries(std::string_view text, const TextTable* table,
+                                     const std::string& name, const PronyChoices& choices) {
+  std::vector<TextBlock> shifts;
+  const std::span<const TextBlock> blocks =
+      table ? std::span(table->blocks) : std::span<const TextBlock>();
+  for (const TextBlock& block : blocks) {
+    if (isShiftTable(block)) {
+      shifts.push_back(block);
+      shifts.back().header.clear();  // its lines are read with the arms
+    } else if (std::ranges::count(block.columns, false, &TextColumn::isText) > 1) {
+      return {};  // a table of several numbers in each row is one of measurements
+    }
+  }
+  auto arms = tableOfNamedArms(text, name);
+  if (!arms) return {};
+  std::ranges::move(shifts, std::back_inserter(arms->blocks));
+  return tableSeries(std::move(*arms), name, choices);
+}
+
 }  // namespace
 
 std::optional<PronyFile> readPronyFile(std::string_view text, const TextTable* table,
                                        const std::string& name, const PronyChoices& choices) {
   std::optional<RawSeries> series = keywordSeries(text, name, choices);
   if (!series && table) series = tableSeries(*table, name, choices);
-  // A table of several numbers in each row is one of measurements.
-  const auto hasRows = [](const TextBlock& block) {
-    return std::ranges::count(block.columns, false, &TextColumn::isText) > 1;
-  };
-  if (!series && !(table && std::ranges::any_of(table->blocks, hasRows)))
-    if (const auto arms = tableOfNamedArms(text, name)) series = tableSeries(*arms, name, choices);
+  if (!series) series = namedSeries(text, table, name, choices);
   if (!series) return {};
   return finished(*series, name, choices);
 }

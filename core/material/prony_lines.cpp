@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -22,6 +23,16 @@ namespace {
 
 enum class ArmPart { Modulus, Time, Viscosity };
 
+/// Why a number may not be read.
+enum class Doubt {
+  None,
+  Comma,  // of "2,000"
+  Point,  // of "2.000", where other numbers have decimal commas
+  List,   // "[2,5 1,5]" may have two numbers or four
+  NoNumber,
+  NoArm,  // it belongs to no arm
+};
+
 /// A number that a line states of an arm.
 struct ArmNumber {
   ArmPart part = ArmPart::Modulus;
@@ -29,28 +40,50 @@ struct ArmNumber {
   std::string name{};   // "G_i"
   std::string unit{};
   double number = 0;
+  Doubt doubt = Doubt::None;
   std::size_t line = 0;
 
   std::string written() const { return nameWith(index); }
   /// Returns the name of this part of another arm: "G_2".
   std::string nameWith(const std::string& other) const {
-    return name.ends_with("_i") ? name.substr(0, name.size() - 1) + other : name + " " + other;
+    if (!name.ends_with("_i")) return other.empty() ? name : name + " " + other;
+    return name.substr(0, name.size() - (other.empty() ? 2 : 1)) + other;
   }
 };
 
 /// A name, a number and its unit in a line.
 struct NamedNumber {
   std::string name{};
-  TextQuantity quantity{};
-  bool isMarkUnclear = false;  // the comma may separate decimals or thousands
+  TextQuantity quantity{};  // NaN where the value is no number
+  Doubt doubt = Doubt::None;
+  bool hasDecimalComma = false;
 };
 
+/// Returns a name without the brackets around its index and the marks of LaTeX: "G1" for "G(1)",
+/// "tau_1" for "\\tau_{1}", "G_inf" for "G_{\\infty}".
+std::string plainName(std::string_view text) {
+  std::string name(text);
+  for (const std::string_view mark : WordList("\\ { } $")) replaceAll(name, mark, "");
+  name = trimmedField(name);
+  const std::size_t open = name.find_first_of("([");
+  if (open != name.npos && name.find_first_of(")]", open) == name.npos)
+    return name.substr(open + 1);  // the first of a list of parameters, "dict(G1"
+  if (open == 0 || open == name.npos || name.find_first_of(")]", open) + 1 != name.size())
+    return name;
+  const std::string index = seriesWord(std::string_view(name).substr(open + 1));
+  if (!areDigits(withoutEnd(index, ")]")) && withoutEnd(index, ")]") != "inf") return name;
+  return name.substr(0, open) + name.substr(open + 1, name.size() - open - 2);
+}
+
 /// Returns the unit after a number without brackets, quotes and comments: "[MPa] "branch 1"", "; %
-/// Pa", "MPa".
+/// Pa", "MPa (fast)". Brackets that end a list of parameters are no unit.
 std::string cleanUnit(std::string_view text) {
-  text = text.substr(std::min(text.find_first_not_of(" ;,#%/\t"), text.size()));
+  if (trimmedBlanks(text) == "%") return "%";
+  text = text.substr(std::min(text.find_first_not_of(" ;,#%!/\t"), text.size()));
   if (text.starts_with('[')) text = text.substr(0, text.find(']') + 1);
-  return std::string(withoutEnd(withoutBrackets(text.substr(0, text.find('"'))), " ;,."));
+  text = withoutEnd(text.substr(0, text.find('"')), " ;,.");
+  if (text.find_first_not_of(")}") == text.npos) return {};
+  return std::string(withoutEnd(withoutBrackets(text.substr(0, text.find(" ("))), " ;,."));
 }
 
 /// Returns the fields of a line that has neither "=" nor ":", "G1;2;MPa" or "G1 2[MPa]".
@@ -66,58 +99,97 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   return fields;
 }
 
-/// Returns the names and numbers that a line states.
+/// Returns a name and what stands after it. unit: of a number without one.
+NamedNumber namedNumber(std::string_view name, std::string_view number, std::string_view unit) {
+  NamedNumber named{plainName(name)};
+  const auto quantity = parseQuantity(number);
+  named.quantity = quantity.value_or(TextQuantity{RawSeries::kNotStated});
+  named.quantity.unit = cleanUnit(named.quantity.unit.empty() ? unit : named.quantity.unit);
+  if (!quantity) {
+    named.doubt = Doubt::NoNumber;
+  } else if (std::abs(quantity->number) >= 1) {
+    if (parseQuantity(number, '.')->isGrouped)
+      named.doubt = Doubt::Comma;
+    else if (parseQuantity(number, ',')->isGrouped)
+      named.doubt = Doubt::Point;
+  }
+  const std::size_t mark = number.find_first_of(".,");
+  named.hasDecimalComma = quantity && named.doubt == Doubt::None && mark + 1 < number.size() &&
+                          number[mark] == ',' && isDigit(number[mark + 1]);
+  return named;
+}
+
+/// Returns where the comment behind a value begins: "G1 = 2e6;  % Pa"; the size of the line where
+/// there is none.
+std::size_t remarkIn(std::string_view line) {
+  for (std::size_t at = 1; at + 1 < line.size(); ++at) {
+    const bool isPercent =
+        line[at] == '%' &&
+        trimmedBlanks(line.substr(at + 1)).find_first_of(";,") != 0;  // "g1 = 50 %, tau1 = 0.1 s"
+    if ((line[at - 1] == ' ' || line[at - 1] == ';' || line[at - 1] == '\t') &&
+        (isPercent || line[at] == '#' || line[at] == '!' || line.substr(at).starts_with("//")))
+      return at;
+  }
+  return line.size();
+}
+
+/// Returns the names that a line states, and the numbers after them.
 std::vector<NamedNumber> namedNumbers(std::string_view line) {
   std::vector<NamedNumber> found;
-  const auto add = [&found](std::string_view name, std::string_view number, std::string_view unit) {
-    auto quantity = parseQuantity(number);
-    if (!quantity) return;
-    quantity->unit = cleanUnit(quantity->unit.empty() ? unit : quantity->unit);
-    const bool isUnclear = std::abs(quantity->number) >= 1 && parseQuantity(number, '.')->isGrouped;
-    found.push_back({std::string(trimmedField(name)), std::move(*quantity), isUnclear});
-  };
   if (keyEnd(line) != line.npos) {
-    const std::vector<std::string_view> clauses = splitClauses(line);
-    for (std::size_t i = 0; i < clauses.size(); ++i)
-      for (const std::string_view statement : splitStatements(clauses[i])) {
+    const std::size_t remark = remarkIn(line);
+    for (const std::string_view clause : splitClauses(line.substr(0, remark)))
+      for (const std::string_view statement : splitStatements(clause)) {
         const std::size_t end = statement.find_last_of(":=");
         if (end == statement.npos) continue;
         // The unit may stand in a comment behind it: "G1 = 2e6;  % Pa".
-        const bool isCommented =
-            i + 1 < clauses.size() && beginsWithOneOf(clauses[i + 1], "% # //");
-        add(keyBefore(statement.substr(0, end)), statement.substr(end + 1),
-            isCommented ? clauses[i + 1] : std::string_view());
+        found.push_back(namedNumber(keyBefore(statement.substr(0, end)), statement.substr(end + 1),
+                                    line.substr(remark)));
       }
     return found;
   }
   const std::vector<std::string_view> fields = fieldsOf(line);
-  if (fields.size() > 1) add(fields[0], fields[1], fields.size() > 2 ? fields[2] : "");
+  if (fields.size() > 1)
+    found.push_back(namedNumber(fields[0], fields[1], fields.size() > 2 ? fields[2] : ""));
+  // More words than a name, a value and its unit are a sentence.
+  if (fields.size() > 3 && found.front().doubt == Doubt::NoNumber) found.clear();
   return found;
 }
 
-/// Returns the numbers of a list, "G = [2e6, 1e6]", named in their order: "G1", "G2".
+/// Returns the numbers of a list, "G = [2e6, 1e6]", named in their order: "G1", "G2". Between
+/// semicolons a comma is a decimal mark.
 std::vector<NamedNumber> listedNumbers(std::string_view line) {
   const std::size_t end = line.find('='), open = line.find('[', end), close = line.find(']', open);
   if (close == line.npos || line.substr(end, open - end).find_first_of("0123456789") != line.npos)
     return {};
   std::string numbers(line.substr(open + 1, close - open - 1));
-  std::ranges::replace(numbers, ',', ' ');
-  std::ranges::replace(numbers, ';', ' ');
-  const std::string key(trimmedField(line.substr(0, end)));
+  const bool hasSemicolons = numbers.find(';') != std::string::npos;
+  const auto mayBeDecimal = [](std::string_view word) {
+    word = withoutEnd(word, ",");
+    double number = 0;
+    return word.find(',') != word.npos && readTextNumber(word, ',', number);
+  };
+  const bool isUnclear = !hasSemicolons && numbers.find('.') == std::string::npos &&
+                         std::ranges::any_of(splitWords(numbers), mayBeDecimal);
+  if (!hasSemicolons) std::ranges::replace(numbers, ',', ' ');
+  const std::string key = plainName(line.substr(0, end));
   const std::string unit = cleanUnit(withoutEnd(line.substr(close + 1), ")"));
   std::vector<NamedNumber> found;
-  for (const std::string_view word : WordList(std::string_view(numbers))) {
-    double number = 0;
-    if (!readTextNumber(word, '.', number)) return {};
-    found.push_back({key + std::to_string(found.size() + 1), {number, unit}});
+  for (const std::string_view word :
+       hasSemicolons ? splitText(numbers, ";") : splitWords(numbers)) {
+    if (trimmedBlanks(word).empty()) continue;
+    found.push_back(namedNumber(key + std::to_string(found.size() + 1), word, {}));
+    NamedNumber& last = found.back();
+    if (!last.quantity.unit.empty()) last.doubt = Doubt::NoNumber;  // "2 MPa", "2, 1"
+    last.quantity.unit = unit;
+    if (isUnclear) last.doubt = Doubt::List;
   }
   return found;
 }
 
 /// Returns what a name and its number state of an arm; nothing where they state something else.
 std::optional<ArmNumber> armNumber(const NamedNumber& named, std::size_t line) {
-  TextColumn key = parseColumnName(named.name);
-  if (areDigits(key.unit)) key = {key.name + key.unit, {}};  // "G(1)"
+  const TextColumn key = parseColumnName(named.name);
   const std::string word = seriesWord(key.name);
   const std::size_t digits = word.find_last_not_of("0123456789") + 1;
   std::string base = word.substr(0, digits);
@@ -143,7 +215,10 @@ std::optional<ArmNumber> armNumber(const NamedNumber& named, std::size_t line) {
              "_i";
   // "Modulus 1" has no symbol.
   if (arm.part == ArmPart::Modulus && !isArmModulus(arm.name)) arm.name = base;
+  // A word after a name without an index is no value of an arm.
+  if (named.doubt == Doubt::NoNumber && arm.index.empty()) return {};
   arm.number = named.quantity.number;
+  arm.doubt = named.doubt;
   arm.line = line;
   return arm;
 }
@@ -152,47 +227,75 @@ std::optional<ArmNumber> armNumber(const NamedNumber& named, std::size_t line) {
 struct StatedArms {
   std::vector<ArmNumber> numbers{};
   std::vector<TextEntry> others{};
-  bool isMarkUnclear = false;  // some number is such as "1,000"
+  std::vector<bool> areComments{};  // the lines of the text
+  bool hasDecimalComma = false;
 };
 
 /// Numbers the arm whose parts a line states without an index, as in "Arm 1: G = 2 MPa, tau = 0.1
-/// s". Returns false where the parts are none of an arm.
-bool numberArm(std::vector<ArmNumber>& parts, std::size_t number) {
-  const bool isArm = parts.size() == 2 && parts[0].part != parts[1].part &&
-                     parts[0].index.empty() && parts[1].index.empty();
+/// s".
+void numberArm(std::vector<ArmNumber>& parts, const std::vector<ArmNumber>& before) {
+  const auto hasTwin = [&parts](const ArmNumber& one) {
+    return std::ranges::count(parts, one.part, &ArmNumber::part) > 1;
+  };
+  const auto isBare = [](const ArmNumber& one) { return one.index.empty(); };
+  if (parts.size() > 1 && std::ranges::all_of(parts, isBare) &&
+      std::ranges::none_of(parts, hasTwin)) {
+    const auto number = 1 + std::ranges::count(before, parts.front().part, &ArmNumber::part);
+    for (ArmNumber& part : parts) part.index = std::to_string(number);
+  }
   for (ArmNumber& part : parts)
-    if (isArm) part.index = std::to_string(number);
-  return std::ranges::none_of(parts, [](const ArmNumber& one) { return one.index.empty(); });
+    if (isBare(part)) part.doubt = Doubt::NoArm;
+}
+
+/// Adds what a line states.
+void addLine(std::string_view line, std::size_t number, StatedArms& stated) {
+  std::vector<ArmNumber> parts;
+  const std::size_t others = stated.others.size();
+  std::vector<NamedNumber> all = listedNumbers(line);
+  if (all.empty() || !armNumber(all.front(), number)) all = namedNumbers(line);
+  for (const NamedNumber& named : all) {
+    stated.hasDecimalComma = stated.hasDecimalComma || named.hasDecimalComma;
+    if (auto part = armNumber(named, number)) {
+      parts.push_back(std::move(*part));
+    } else if (named.doubt != Doubt::NoNumber) {
+      const std::string value = plain(named.quantity.number).text + " " + named.quantity.unit;
+      stated.others.push_back({named.name, value, number, std::string(line)});
+      const std::string word = seriesWord(parseColumnName(named.name).name);
+      // The mark of this number may be unclear, too.
+      if (named.doubt != Doubt::None && (isEquilibrium(word) || isInstantaneous(word)))
+        stated.numbers.push_back({.name = named.name, .doubt = named.doubt, .line = number});
+    }
+  }
+  if (parts.empty() && others == stated.others.size() && !trimmedBlanks(line).empty())
+    stated.others.push_back(parseEntry({line, number}, {}));
+  numberArm(parts, stated.numbers);
+  std::ranges::move(parts, std::back_inserter(stated.numbers));
 }
 
 StatedArms statedArms(std::string_view text) {
   StatedArms stated;
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = withoutCommentMark(takeLine(text), {});
-    std::vector<TextEntry> others;
-    std::vector<ArmNumber> parts;
-    std::vector<NamedNumber> all = listedNumbers(line);
-    if (all.empty() || !armNumber(all.front(), number)) all = namedNumbers(line);
-    for (const NamedNumber& named : all) {
-      if (auto part = armNumber(named, number)) {
-        parts.push_back(std::move(*part));
-        stated.isMarkUnclear = stated.isMarkUnclear || named.isMarkUnclear;
-        continue;
-      }
-      const std::string value = plain(named.quantity.number).text + " " + named.quantity.unit;
-      others.push_back({named.name, value, number, std::string(line)});
-    }
-    if (numberArm(parts, stated.numbers.size() / 2 + 1)) {
-      std::ranges::move(parts, std::back_inserter(stated.numbers));
-    } else {
-      parts.clear();
-      others.clear();
-    }
-    if (parts.empty() && others.empty() && !trimmedBlanks(line).empty())
-      others.push_back(parseEntry({line, number}, {}));
-    std::ranges::move(others, std::back_inserter(stated.others));
+    const std::string_view line = takeLine(text);
+    stated.areComments.push_back(isComment(line));
+    addLine(withoutCommentMark(line, {}), number, stated);
   }
   return stated;
+}
+
+/// Leaves out what comments state of arms where other lines state arms, and what they state again.
+void leaveOutComments(StatedArms& stated) {
+  const auto isLive = [&stated](const auto& one) { return !stated.areComments[one.line - 1]; };
+  if (std::ranges::none_of(stated.numbers, [&](const ArmNumber& one) {
+        return isLive(one) && !one.index.empty() && one.doubt != Doubt::NoNumber;
+      }))
+    return;
+  std::erase_if(stated.numbers, std::not_fn(isLive));
+  std::vector<std::string> keys;
+  for (const TextEntry& entry : stated.others)
+    if (isLive(entry)) keys.push_back(entry.key);
+  std::erase_if(stated.others, [&](const TextEntry& entry) {
+    return !isLive(entry) && std::ranges::find(keys, entry.key) != keys.end();
+  });
 }
 
 /// One number of each arm, in the order of the arms.
@@ -225,6 +328,39 @@ TextColumn unifiedColumn(const ArmColumn& arms, const std::string& name,
                                                      : "Pa s"};
 }
 
+/// The numbers of each part of an arm by the index of the arm.
+using ArmParts = std::map<ArmPart, std::map<std::string, const ArmNumber*>>;
+
+/// Returns why a number may not be read, if so. A name without a number, as in a list of names,
+/// counts where no other line has its number.
+std::optional<Message> reasonAgainst(const ArmNumber& one, const StatedArms& stated,
+                                     const ArmParts& parts) {
+  const Message written = Message::name(one.written());
+  const auto same = parts.find(one.part);
+  switch (one.doubt) {
+    case Doubt::None:
+      break;
+    case Doubt::Point:
+    case Doubt::Comma:
+      if (one.doubt == Doubt::Point && !stated.hasDecimalComma) break;
+      return message(
+          "the mark in the number of {} may separate decimals or thousands; write "
+          "thousands without a mark",
+          written);
+    case Doubt::List:
+      return "the commas in the list may separate decimals or numbers; write \"; \" or \", \" "
+             "between the numbers";
+    case Doubt::NoNumber:
+      if (same != parts.end() && same->second.contains(one.index)) break;
+      return message("{} has no number as its value; correct it, or leave it out", written);
+    case Doubt::NoArm:
+      return message(
+          "{} belongs to no arm; write the number of its arm after the name, or leave it out",
+          written);
+  }
+  return {};
+}
+
 /// Throws InputError for an arm that lacks what others have.
 [[noreturn]] void refuseIncomplete(const ArmNumber& stated, const ArmNumber& missing,
                                    const std::string& name) {
@@ -238,32 +374,38 @@ TextColumn unifiedColumn(const ArmColumn& arms, const std::string& name,
 
 std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::string& name) {
   StatedArms stated = statedArms(text);
+  leaveOutComments(stated);
   std::vector<std::string> indices;
-  std::map<ArmPart, std::map<std::string, const ArmNumber*>> parts;
+  ArmParts parts;
   for (const ArmNumber& one : stated.numbers) {
+    if (one.index.empty()) continue;
+    auto& same = parts[one.part];
+    if (one.doubt == Doubt::NoNumber) continue;
     if (std::ranges::find(indices, one.index) == indices.end()) indices.push_back(one.index);
-    const auto [found, isNew] = parts[one.part].try_emplace(one.index, &one);
+    const auto [found, isNew] = same.try_emplace(one.index, &one);
     if (isNew) continue;
     throw InputError(name, fmt::format("line {}", one.line),
                      message("{} is stated in line {} already", Message::name(one.written()),
                              found->second->line));
   }
   if (parts.size() < 2) return {};
-  // Viscosities beside both others only say the same.
-  if (parts.size() == 3) parts.erase(ArmPart::Viscosity);
+  for (const ArmNumber& one : stated.numbers)
+    if (const auto reason = reasonAgainst(one, stated, parts))
+      throw InputError(name, fmt::format("line {}", one.line), *reason);
   TextBlock block;
   block.header = std::move(stated.others);
   block.rows = indices.size();
   std::vector<std::vector<double>> columns;
   for (const auto& [part, numbers] : parts) {
+    // Viscosities beside both others only say the same; they are compared where each arm has one.
+    if (columns.size() == 2 && numbers.size() < indices.size()) break;
     ArmColumn arms;
     std::vector<double> values;
     for (const std::string& index : indices) {
       const auto found = numbers.find(index);
       if (found == numbers.end()) {
-        const auto& other =
-            parts.begin()->first == part ? parts.rbegin()->second : parts.begin()->second;
-        refuseIncomplete(*other.at(index), *numbers.begin()->second, name);
+        const auto other = std::ranges::find(stated.numbers, index, &ArmNumber::index);
+        refuseIncomplete(*other, *numbers.begin()->second, name);
       }
       if (found->second->name != numbers.begin()->second->name) return {};
       arms.push_back(found->second);
@@ -280,9 +422,6 @@ std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::stri
   block.texts.resize(columns.size());
   block.cells.resize(columns.size());
   TextTable table;
-  table.dialect.decimal = ',';
-  table.dialect.isUnclear = stated.isMarkUnclear;
-  refuseUnclearMark(table, name);
   table.dialect.decimal = '.';
   table.blocks.push_back(std::move(block));
   return table;

@@ -4723,6 +4723,22 @@
         <translation>%1 hat die Einheit %2, die nicht verstanden wird</translation>
     </message>
     <message>
+        <source>the mark in the number of %1 may separate decimals or thousands; write thousands without a mark</source>
+        <translation>das Zeichen in der Zahl von %1 kann Dezimalen oder Tausender trennen; Tausender sind ohne Trennzeichen zu schreiben</translation>
+    </message>
+    <message>
+        <source>the commas in the list may separate decimals or numbers; write &quot;; &quot; or &quot;, &quot; between the numbers</source>
+        <translation>die Kommas der Liste können Dezimalen oder Zahlen trennen; zwischen die Zahlen gehört &quot;; &quot; oder &quot;, &quot;</translation>
+    </message>
+    <message>
+        <source>%1 belongs to no arm; write the number of its arm after the name, or leave it out</source>
+        <translation>%1 gehört zu keinem Arm; hinter den Namen gehört die Nummer des Arms, oder die Angabe ist wegzulassen</translation>
+    </message>
+    <message>
+        <source>%1 has no number as its value; correct it, or leave it out</source>
+        <translation>%1 hat keine Zahl als Wert; sie ist zu berichtigen oder wegzulassen</translation>
+    </message>
+    <message>
         <source>%1 is stated without %2; each arm needs both</source>
         <translation>%1 steht ohne %2 da; jeder Arm braucht beides</translation>
     </message>

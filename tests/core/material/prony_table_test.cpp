@@ -300,6 +300,15 @@ TEST(PronyLines, NamedNumbersAreArms) {
         "G0 = 4 MPa\ng1 = 0.5\ntau1 = 0.1 s\ng2 = 0.25\ntau2 = 10 s\n",
         "G_inf 1[MPa] \"long-term\"\nG1 2[MPa] \"branch\"\ntau1 0.1[s]\nG2 1[MPa]\ntau2 10[s]\n",
         "G(1) = 2 MPa\ntau(1) = 0.1 s\nG(2) = 1 MPa\ntau(2) = 10 s\nG(inf) = 1 MPa\n",
+        "G[inf] = 1 MPa\nG[1] = 2 MPa\ntau[1] = 0.1 s\nG[2] = 1 MPa\ntau[2] = 10 s\n",
+        "$G_{\\infty}$ = 1 MPa\n$G_{1}$ = 2 MPa\n$\\tau_{1}$ = 0.1 s\nG_2 = 1 MPa\n\\tau_2 = 10 "
+        "s\n",
+        "p = dict(G_inf=1e6, G1=2e6, tau1=0.1, G2=1e6, tau2=10)\n",
+        "{\"G_inf\": 1e6,\n\"G1\": 2e6,\n\"tau1\": 0.1,\n\"G2\": 1e6,\n\"tau2\": 10}\n",
+        "Ginf = 1 MPa # at last\nG1 = 2 MPa (was 3 MPa)\ntau1 = 0.1 s # a: G1\nG2 = 1 MPa # b\n"
+        "tau2 = 10 s // tau2 = 9 s\n",
+        "Ginf = 1.0D6 ! Pa\nG1 = 2.0D6 ! Pa\ntau1 = 0.1D0 ! s\nG2 = 1.0D6 ! Pa\ntau2 = 1D1 ! s\n",
+        "G0 = 4 MPa\ng1 = 50 %, tau1 = 0.1 s\ng2 = 25 %, tau2 = 10 s\n",
         "G\u221E = 1 MPa\nG\u2081 = 2 MPa\n\u03C4\u2081 = 0.1 s\nG\u2082 = 1 MPa\n\u03C4\u2082 = "
         "10 s\n",
         "% NR\nG_inf = 1e6; % Pa\nG1 = 2e6; % Pa\ntau1 = 0.1; % s\nG2 = 1e6; % Pa\ntau2 = 10; % "
@@ -336,9 +345,101 @@ TEST(PronyLines, IncompleteArmsAreRefused) {
               HasSubstr("would be no rubber; say --modulus-unit"));
   EXPECT_THAT(seriesError("Ginf = 1 MPa\nG1 = 2,000 kPa\ntau1 = 0.1 s\n"),
               HasSubstr("may separate decimals or thousands"));
+  EXPECT_THAT(seriesError("G_1 = 2 MPa\ntau_1 = 0.1 s\neta_1 = 0.2 MPa s\nG_2 = 1 MPa\n"
+                          "tau_2 = 10 s\neta_2 = 10 MPa s\neta_3 = 1 MPa s\n"),
+              HasSubstr("line 7: eta_3 is stated without G_3; each arm needs both"));
   // Moduli above a table of measurements are none of its series.
   EXPECT_FALSE(readSeries("G1 = 2 MPa\ntau1 = 0.1 s\nf (Hz),G' (MPa),G'' (MPa)\n1,2,1\n10,3,1\n"));
   EXPECT_FALSE(readSeries("G1 = 2 MPa\nG2 = 1 MPa\n"));
+}
+
+/// An arm in a form that is not read was left out without a word.
+TEST(PronyLines, NoArmIsLeftOutInSilence) {
+  expectSeriesNearly(
+      readSeries("Ginf: 1 MPa\nArm 1: G = 2 MPa, tau = 0.1 s\n"
+                 "Arm 2: G = 1 MPa, tau = 10 s, eta = 10 MPa s\n"));
+  const std::string arm = "Ginf: 1 MPa\nG1 = 2 MPa, tau1 = 0.1 s\n";
+  EXPECT_THAT(seriesError(arm + "G2 = 1 MPa, tau = 10 s\n"),
+              HasSubstr("line 3: tau belongs to no arm; write the number of its arm"));
+  EXPECT_THAT(seriesError(arm + "G = 1 MPa\n"), HasSubstr("line 3: G belongs to no arm"));
+  EXPECT_THAT(seriesError(arm + "G2 = abc\ntau2 = n/a\n"),
+              HasSubstr("line 3: G_2 has no number as its value; correct it, or leave it out"));
+  EXPECT_THAT(seriesError("G1;2;MPa\ntau1;0.1;s\nG2;n/a;MPa\n"), HasSubstr("line 3: G_2 has no"));
+  // Words that explain a name are no value of it.
+  const std::string both = arm + "G2 = 1 MPa, tau2 = 10 s\n";
+  expectSeriesNearly(readSeries("G1: modulus of the first arm\n" + both));
+  expectSeriesNearly(readSeries("G1 and tau1 are those of the first arm\n" + both));
+}
+
+/// Viscosities beside moduli and relaxation times are compared with them.
+TEST(PronyLines, ViscositiesThatContradictAreSaid) {
+  const std::string arms = "Ginf: 1 MPa\nArm 1: G = 2 MPa, tau = 0.1 s, eta = ";
+  const std::string second = " MPa s\nArm 2: G = 1 MPa, tau = 10 s, eta = 10 MPa s\n";
+  EXPECT_THAT(seriesNotes(readSeries(arms + "0.2" + second)),
+              testing::Not(testing::Contains(HasSubstr("contradicts"))));
+  EXPECT_THAT(seriesNotes(readSeries(arms + "20" + second)),
+              testing::Contains(HasSubstr("eta_i contradicts the moduli and relaxation times")));
+}
+
+TEST(PronyLines, CommasInListsAreReadOrRefused) {
+  const auto file = readSeries("G_inf = 1 MPa\nG = [2,5; 1,5]  # MPa\ntau = [1,2; 10,3]  # s\n");
+  ASSERT_TRUE(file && file->arms.size() == 2);
+  EXPECT_NEAR(file->arms[0].modulus, 1.5e6, 1e-3);
+  EXPECT_NEAR(file->arms[0].relaxationTime, 10.3, 1e-9);
+  EXPECT_NEAR(file->arms[1].modulus, 2.5e6, 1e-3);
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\nG = [2,5 1,5]  # MPa\ntau = [1 2 3 4]\n"),
+              HasSubstr("line 2: the commas in the list may separate decimals or numbers"));
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\nG = [2, 1; 3, 4]  # MPa\ntau = [1; 10]\n"),
+              HasSubstr("line 2: G_1 has no number as its value"));
+  for (const char* list : {"[2e6,1e6]", "[2.0,1e6]", "[2e6, 1e6]", "[2e6; 1e6]", "[2e6 1e6]"})
+    EXPECT_EQ(readSeries(std::string("G_inf = 1e6 Pa\nG = ") + list + " # Pa\ntau = [0.1,10]\n")
+                  ->arms.size(),
+              2U)
+        << list;
+}
+
+/// An arm that somebody switched off was read.
+TEST(PronyLines, ArmsInCommentsCountWhereThereAreNoOthers) {
+  const std::string live = "G_inf = 1e6 # Pa\nG1 = 2e6 # Pa\ntau1 = 0.1 # s\n";
+  const std::string second = "G2 = 1e6 # Pa\ntau2 = 10 # s\n";
+  expectSeriesNearly(
+      readSeries(live + second + "# G3 = 9e6 # Pa\n# tau3 = 99 # s\n# G_inf = 3e6 # Pa\n"));
+  expectSeriesNearly(readSeries("# G2 = 9e6 # Pa\n" + live + second));
+  expectSeriesNearly(
+      readSeries("# G_inf = 1 MPa\n# G1 = 2 MPa, tau1 = 0.1 s\n# G2 = 1 MPa, tau2 = 10 s\n"));
+  expectSeriesNearly(
+      readSeries("# G_inf = 1 MPa\nG1 = 2 MPa, tau1 = 0.1 s\nG2 = 1 MPa, tau2 = 10 s\n"));
+}
+
+TEST(PronyLines, PointsBesideDecimalCommasMaySeparateThousands) {
+  const std::string rest = "tau1 = 0,1 s\nG2 = 1 MPa\ntau2 = 10 s\n";
+  EXPECT_THAT(
+      seriesError("G_inf = 1 MPa\nG1 = 2.000 kPa\n" + rest),
+      HasSubstr("line 2: the mark in the number of G_1 may separate decimals or thousands"));
+  EXPECT_THAT(seriesError("G_inf = 1.000 kPa\nG1 = 2 MPa\n" + rest),
+              HasSubstr("line 1: the mark in the number of G_inf may separate"));
+  EXPECT_THAT(seriesError("G_inf = 1,000 kPa\nG1 = 2 MPa\ntau1 = 0.1 s\n"),
+              HasSubstr("line 1: the mark in the number of G_inf may separate"));
+  expectSeriesNearly(
+      readSeries("G_inf = 1.000 MPa\nG1 = 2.000 MPa\ntau1 = 0.100 s\nG2 = 1.000 MPa\n"
+                 "tau2 = 10.000 s\n"));
+}
+
+/// A note promises that such a table is read.
+TEST(PronyLines, ShiftFactorsBesideNamedArmsAreRead) {
+  const std::string arms =
+      "T = 20 \u00B0C\nG_inf = 1 MPa\nG1 = 2 MPa, tau1 = 0.1 s\n"
+      "G2 = 1 MPa, tau2 = 10 s\n";
+  const std::string shifts = "T (C);log aT\n0;2\n20;0\n40;-1.5\n";
+  for (const std::string& text : {arms + "\n" + shifts, shifts + "\n" + arms}) {
+    SCOPED_TRACE(text);
+    const auto file = readSeries(text);
+    expectSeriesNearly(file);
+    ASSERT_TRUE(file->shift.has_value());
+    EXPECT_EQ(file->shift->kind, ShiftKind::Table);
+    EXPECT_EQ(file->shift->table.size(), 3U);
+    EXPECT_NEAR(file->temperature.value_or(0), 293.15, 1e-9);
+  }
 }
 
 }  // namespace
