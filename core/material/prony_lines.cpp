@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -54,7 +55,7 @@ struct ArmNumber {
 /// A name, a number and its unit in a line.
 struct NamedNumber {
   std::string name{};
-  TextQuantity quantity{};  // NaN where the value is no number
+  TextQuantity quantity{};
   Doubt doubt = Doubt::None;
   bool hasDecimalComma = false;
 };
@@ -103,7 +104,7 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
 NamedNumber namedNumber(std::string_view name, std::string_view number, std::string_view unit) {
   NamedNumber named{plainName(name)};
   const auto quantity = parseQuantity(number);
-  named.quantity = quantity.value_or(TextQuantity{RawSeries::kNotStated});
+  named.quantity = quantity.value_or(TextQuantity{});
   named.quantity.unit = cleanUnit(named.quantity.unit.empty() ? unit : named.quantity.unit);
   if (!quantity) {
     named.doubt = Doubt::NoNumber;
@@ -151,8 +152,6 @@ std::vector<NamedNumber> namedNumbers(std::string_view line) {
   const std::vector<std::string_view> fields = fieldsOf(line);
   if (fields.size() > 1)
     found.push_back(namedNumber(fields[0], fields[1], fields.size() > 2 ? fields[2] : ""));
-  // More words than a name, a value and its unit are a sentence.
-  if (fields.size() > 3 && found.front().doubt == Doubt::NoNumber) found.clear();
   return found;
 }
 
@@ -252,12 +251,14 @@ void addLine(std::string_view line, std::size_t number, StatedArms& stated) {
   std::vector<ArmNumber> parts;
   const std::size_t others = stated.others.size();
   std::vector<NamedNumber> all = listedNumbers(line);
-  if (all.empty() || !armNumber(all.front(), number)) all = namedNumbers(line);
+  const bool hasList = !all.empty() && armNumber(all.front(), number);
+  if (!hasList) all = namedNumbers(line);
   for (const NamedNumber& named : all) {
+    if (named.doubt == Doubt::NoNumber && !hasList) continue;
     stated.hasDecimalComma = stated.hasDecimalComma || named.hasDecimalComma;
     if (auto part = armNumber(named, number)) {
       parts.push_back(std::move(*part));
-    } else if (named.doubt != Doubt::NoNumber) {
+    } else {
       const std::string value = plain(named.quantity.number).text + " " + named.quantity.unit;
       stated.others.push_back({named.name, value, number, std::string(line)});
       const std::string word = seriesWord(parseColumnName(named.name).name);
@@ -272,12 +273,26 @@ void addLine(std::string_view line, std::size_t number, StatedArms& stated) {
   std::ranges::move(parts, std::back_inserter(stated.numbers));
 }
 
+/// Adds the names of arms' numbers in a line, by which numbers that are not read are found.
+void addNames(std::string_view line, std::size_t number, StatedArms& stated) {
+  std::string words(line.substr(0, remarkIn(line)));
+  for (char& letter : words)
+    if (std::ispunct(static_cast<unsigned char>(letter)) != 0 && letter != '_') letter = ' ';
+  for (const std::string_view word : splitWords(words))
+    if (auto part = armNumber({std::string(word), {}, Doubt::NoNumber}, number))
+      stated.numbers.push_back(std::move(*part));
+}
+
 StatedArms statedArms(std::string_view text) {
   StatedArms stated;
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = takeLine(text);
-    stated.areComments.push_back(isComment(line));
-    addLine(withoutCommentMark(line, {}), number, stated);
+    const std::string_view whole = trimmedBlanks(takeLine(text));
+    std::string line(withoutCommentMark(whole, {}));
+    stated.areComments.push_back(line.size() < whole.size());
+    for (const auto& [wide, plain] : {std::pair("\uFF1A", ":"), {"\uFF1D", "="}})
+      replaceAll(line, wide, plain);
+    addLine(line, number, stated);
+    addNames(line, number, stated);
   }
   return stated;
 }
@@ -331,12 +346,12 @@ TextColumn unifiedColumn(const ArmColumn& arms, const std::string& name,
 /// The numbers of each part of an arm by the index of the arm.
 using ArmParts = std::map<ArmPart, std::map<std::string, const ArmNumber*>>;
 
-/// Returns why a number may not be read, if so. A name without a number, as in a list of names,
-/// counts where no other line has its number.
+/// Returns why a number may not be read, if so. A name without a number counts where no other line
+/// has its number.
 std::optional<Message> reasonAgainst(const ArmNumber& one, const StatedArms& stated,
                                      const ArmParts& parts) {
   const Message written = Message::name(one.written());
-  const auto same = parts.find(one.part);
+  const auto& same = parts.at(one.part);
   switch (one.doubt) {
     case Doubt::None:
       break;
@@ -351,8 +366,13 @@ std::optional<Message> reasonAgainst(const ArmNumber& one, const StatedArms& sta
       return "the commas in the list may separate decimals or numbers; write \"; \" or \", \" "
              "between the numbers";
     case Doubt::NoNumber:
-      if (same != parts.end() && same->second.contains(one.index)) break;
-      return message("{} has no number as its value; correct it, or leave it out", written);
+      if (same.contains(one.index)) break;
+      // "E2" beside "G1" may be the name of a sample.
+      if (!same.empty() && same.begin()->second->name != one.name) break;
+      return message(
+          "{} stands here without a number that is read; write it as \"{} = 1\", with its "
+          "unit, or leave it out",
+          written, written);
     case Doubt::NoArm:
       return message(
           "{} belongs to no arm; write the number of its arm after the name, or leave it out",
@@ -378,9 +398,8 @@ std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::stri
   std::vector<std::string> indices;
   ArmParts parts;
   for (const ArmNumber& one : stated.numbers) {
-    if (one.index.empty()) continue;
     auto& same = parts[one.part];
-    if (one.doubt == Doubt::NoNumber) continue;
+    if (one.index.empty() || one.doubt == Doubt::NoNumber) continue;
     if (std::ranges::find(indices, one.index) == indices.end()) indices.push_back(one.index);
     const auto [found, isNew] = same.try_emplace(one.index, &one);
     if (isNew) continue;
@@ -388,7 +407,7 @@ std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::stri
                      message("{} is stated in line {} already", Message::name(one.written()),
                              found->second->line));
   }
-  if (parts.size() < 2) return {};
+  if (parts.size() < 2 || indices.empty()) return {};
   for (const ArmNumber& one : stated.numbers)
     if (const auto reason = reasonAgainst(one, stated, parts))
       throw InputError(name, fmt::format("line {}", one.line), *reason);

@@ -305,6 +305,7 @@ TEST(PronyLines, NamedNumbersAreArms) {
         "s\n",
         "p = dict(G_inf=1e6, G1=2e6, tau1=0.1, G2=1e6, tau2=10)\n",
         "{\"G_inf\": 1e6,\n\"G1\": 2e6,\n\"tau1\": 0.1,\n\"G2\": 1e6,\n\"tau2\": 10}\n",
+        "Ginf\uFF1A1 MPa\nG1\uFF1A2 MPa\ntau1\uFF1A0.1 s\nG2\uFF1D1 MPa\ntau2\uFF1D10 s\n",
         "Ginf = 1 MPa # at last\nG1 = 2 MPa (was 3 MPa)\ntau1 = 0.1 s # a: G1\nG2 = 1 MPa # b\n"
         "tau2 = 10 s // tau2 = 9 s\n",
         "Ginf = 1.0D6 ! Pa\nG1 = 2.0D6 ! Pa\ntau1 = 0.1D0 ! s\nG2 = 1.0D6 ! Pa\ntau2 = 1D1 ! s\n",
@@ -362,12 +363,19 @@ TEST(PronyLines, NoArmIsLeftOutInSilence) {
   EXPECT_THAT(seriesError(arm + "G2 = 1 MPa, tau = 10 s\n"),
               HasSubstr("line 3: tau belongs to no arm; write the number of its arm"));
   EXPECT_THAT(seriesError(arm + "G = 1 MPa\n"), HasSubstr("line 3: G belongs to no arm"));
-  EXPECT_THAT(seriesError(arm + "G2 = abc\ntau2 = n/a\n"),
-              HasSubstr("line 3: G_2 has no number as its value; correct it, or leave it out"));
-  EXPECT_THAT(seriesError("G1;2;MPa\ntau1;0.1;s\nG2;n/a;MPa\n"), HasSubstr("line 3: G_2 has no"));
+  EXPECT_THAT(
+      seriesError(arm + "G2 = abc\ntau2 = n/a\n"),
+      HasSubstr("line 3: G_2 stands here without a number that is read; write it as \"G_2 = 1\""));
+  EXPECT_THAT(seriesError("G1;2;MPa\ntau1;0.1;s\nG2;n/a;MPa\n"),
+              HasSubstr("line 3: G_2 stands here without"));
+  for (const char* other : {"double G2 = 1e6; // Pa\ndouble tau2 = 10; // s\n",
+                            "| G2 | 1 MPa |\n| tau2 | 10 s |\n", "G2 is 1 MPa\ntau2 is 10 s\n",
+                            "G2 -> 1 MPa\ntau2 -> 10 s\n", "p.G2 = 1e6;\np.tau2 = 10;\n"})
+    EXPECT_THAT(seriesError(arm + other), HasSubstr("line 3: G_2 stands here without")) << other;
   // Words that explain a name are no value of it.
   const std::string both = arm + "G2 = 1 MPa, tau2 = 10 s\n";
   expectSeriesNearly(readSeries("G1: modulus of the first arm\n" + both));
+  expectSeriesNearly(readSeries("Sample: E2\n" + both));
   expectSeriesNearly(readSeries("G1 and tau1 are those of the first arm\n" + both));
 }
 
@@ -390,7 +398,7 @@ TEST(PronyLines, CommasInListsAreReadOrRefused) {
   EXPECT_THAT(seriesError("G_inf = 1 MPa\nG = [2,5 1,5]  # MPa\ntau = [1 2 3 4]\n"),
               HasSubstr("line 2: the commas in the list may separate decimals or numbers"));
   EXPECT_THAT(seriesError("G_inf = 1 MPa\nG = [2, 1; 3, 4]  # MPa\ntau = [1; 10]\n"),
-              HasSubstr("line 2: G_1 has no number as its value"));
+              HasSubstr("line 2: G_1 stands here without a number"));
   for (const char* list : {"[2e6,1e6]", "[2.0,1e6]", "[2e6, 1e6]", "[2e6; 1e6]", "[2e6 1e6]"})
     EXPECT_EQ(readSeries(std::string("G_inf = 1e6 Pa\nG = ") + list + " # Pa\ntau = [0.1,10]\n")
                   ->arms.size(),
@@ -405,6 +413,8 @@ TEST(PronyLines, ArmsInCommentsCountWhereThereAreNoOthers) {
   expectSeriesNearly(
       readSeries(live + second + "# G3 = 9e6 # Pa\n# tau3 = 99 # s\n# G_inf = 3e6 # Pa\n"));
   expectSeriesNearly(readSeries("# G2 = 9e6 # Pa\n" + live + second));
+  for (const std::string mark : {"-- ", "REM ", "; ", "' ", "// ", "%"})
+    expectSeriesNearly(readSeries(live + mark + "G3 = 9 MPa, tau3 = 99 s\n" + second));
   expectSeriesNearly(
       readSeries("# G_inf = 1 MPa\n# G1 = 2 MPa, tau1 = 0.1 s\n# G2 = 1 MPa, tau2 = 10 s\n"));
   expectSeriesNearly(
