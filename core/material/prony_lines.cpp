@@ -61,7 +61,7 @@ struct NamedNumber {
 };
 
 /// Returns a name without the brackets around its index and the marks of LaTeX: "G1" for "G(1)",
-/// "tau_1" for "\\tau_{1}", "G_inf" for "G_{\\infty}".
+/// "tau_1" for "\tau_{1}", "G_inf" for "G_{\infty}".
 std::string plainName(std::string_view text) {
   std::string name(text);
   for (const std::string_view mark : WordList("\\ { } $")) replaceAll(name, mark, "");
