@@ -291,16 +291,15 @@ std::string_view nearestKey(std::string_view key) {
     if (row.key.ends_with(start) && row.key.size() > start.size() &&
         row.key[row.key.size() - start.size() - 1] == '.')
       return row.key;
-  // A section: "surfaces".
+  // The beginning of a key: "interface.friction".
+  std::string_view beginning = start;
   if (start.find('.') == start.npos) {
-    const std::string_view section = nearestSection(start);
-    if (section == start) return {};  // a section has no value itself
-    if (!section.empty()) return section;
-  } else {
-    // The beginning of a key: "interface.friction".
-    for (const Parameter& row : kTable)
-      if (row.key.starts_with(start) && !start.ends_with('.')) return row.key;
+    beginning = nearestSection(start);  // "surfaces"
+    if (beginning == start) return {};  // a section has no value itself
   }
+  for (const Parameter& row : kTable)
+    if (!beginning.empty() && row.key.starts_with(beginning) && !beginning.ends_with('.'))
+      return row.key;
   std::vector<std::string_view> keys;
   for (const Parameter& row : kTable) keys.push_back(row.key);
   return nearestWord(key, keys);

@@ -79,15 +79,19 @@ ParameterRange parseRange(std::string_view key, std::string_view text) {
   return range;
 }
 
+double parseMember(const Parameter& row, const std::string& text, const std::string& where) {
+  try {
+    return parseNumber(row, text);
+  } catch (const InputError& error) {
+    refuseMember(where, error.message());
+  }
+}
+
 double rangeEnd(const Parameter& row, const nlohmann::ordered_json& range, const std::string& where,
                 const char* member) {
   const auto found = range.find(member);
   if (found == range.end() || !found->is_string()) return numberMember(range, where, member);
-  try {
-    return parseNumber(row, found->get_ref<const std::string&>());
-  } catch (const InputError& error) {
-    refuseMember(where + "." + member, error.message());
-  }
+  return parseMember(row, found->get_ref<const std::string&>(), where + "." + member);
 }
 
 ParameterRange parseRangeOption(const std::string& option, std::string_view text) {

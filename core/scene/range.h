@@ -38,6 +38,10 @@ std::vector<double> linearSpaced(double from, double to, std::int64_t points);
 /// key.
 ParameterRange parseRange(std::string_view key, std::string_view text);
 
+/// Reads the number of a text with a unit, "20 mN", in the member `where` of a file. Throws
+/// InputError with that path.
+double parseMember(const Parameter& row, const std::string& text, const std::string& where);
+
 /// Reads an end of a range from an object {"from", "to", ...}: a number, or a text with a unit such
 /// as "1 mN". where: the object in errors. Throws InputError with the path of the member.
 double rangeEnd(const Parameter& row, const nlohmann::ordered_json& range, const std::string& where,

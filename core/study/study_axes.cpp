@@ -47,21 +47,12 @@ void checkValue(const Parameter& row, const ParameterValue& value, const std::st
   }
 }
 
-/// Returns the number of a text with a unit: "20 mN".
-double numberOf(const Parameter& row, const std::string& text, const std::string& where) {
-  try {
-    return parseNumber(row, text);
-  } catch (const InputError& error) {
-    refuseMember(where, error.message());
-  }
-}
-
 /// Adds a value of a list or a table to a column, which has either numbers or words.
 void addValue(StudyColumn& column, const Json& value, const std::string& where) {
   const Parameter& row = *column.row;
   if (isNumber(row) && (value.is_number() || value.is_string())) {
     const double number =
-        value.is_number() ? value.get<double>() : numberOf(row, value.get<std::string>(), where);
+        value.is_number() ? value.get<double>() : parseMember(row, value.get<std::string>(), where);
     checkValue(row, number, where);
     column.numbers.push_back(number);
     return;
