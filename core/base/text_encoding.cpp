@@ -208,7 +208,7 @@ std::optional<CodePage> codePageOf(std::string_view bytes) {
 std::string utf8OfCodePage(std::string_view bytes, const char* codePage) {
   const iconv_t converter = iconv_open("UTF-8", codePage);
   if (converter == reinterpret_cast<iconv_t>(-1)) return {};
-  constexpr std::size_t kMaxBytes = 3;  // of UTF-8 for one of Shift-JIS
+  constexpr std::size_t kMaxBytes = 3;  // of UTF-8 for one in any of these code pages
   std::string from(bytes), text(kMaxBytes * bytes.size(), '\0');
   char *in = from.data(), *out = text.data();
   std::size_t left = from.size(), room = text.size();

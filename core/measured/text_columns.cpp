@@ -417,8 +417,8 @@ bool numbersProfiles(const TextBlock& block, std::size_t column) {
   return true;
 }
 
-std::vector<int> profilesSideBySide(const TextBlock& block, const ColumnRoles& roles,
-                                    const SurfaceSource& source) {
+ProfileColumns profilesSideBySide(const TextBlock& block, const ColumnRoles& roles,
+                                  const SurfaceSource& source) {
   if (roles.z < 0 || source.choices.heightColumn > 0) return {};
   const auto at = [&](int column) -> const TextColumn& {
     return block.columns[static_cast<std::size_t>(column)];
@@ -426,18 +426,19 @@ std::vector<int> profilesSideBySide(const TextBlock& block, const ColumnRoles& r
   const NumberedName first = numberedName(at(roles.z).name);
   const bool areLengths = metresPer(at(roles.z).unit).has_value();
   if (first.number.empty() || !(areLengths || isHeightName(lowerCase(first.before)))) return {};
-  std::vector<int> found;
+  ProfileColumns found;
   std::set<std::string> numbers;
   for (const int column : roles.heights) {
     const NumberedName name = numberedName(at(column).name);
     const auto number = static_cast<std::size_t>(column);
     if (name.before != first.before || name.after != first.after || name.number.empty() ||
-        at(column).unit != at(roles.z).unit || std::isnan(block.at(0, number)) ||
-        std::isnan(block.at(block.rows - 1, number)) || !numbers.insert(name.number).second)
+        at(column).unit != at(roles.z).unit || !numbers.insert(name.number).second)
       continue;
-    found.push_back(column);
+    const bool isWhole =
+        !std::isnan(block.at(0, number)) && !std::isnan(block.at(block.rows - 1, number));
+    (isWhole ? found.whole : found.leftOut).push_back(column);
   }
-  return found.size() > 1 && found.front() == roles.z ? found : std::vector<int>{};
+  return found.whole.size() > 1 && found.whole.front() == roles.z ? found : ProfileColumns{};
 }
 
 bool isInPixels(const TextColumn& column) {

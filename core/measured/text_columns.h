@@ -33,11 +33,17 @@ bool hasNoNumber(const TextBlock& block, std::size_t column);
 /// numbers: "Profile", "Track no.".
 bool numbersProfiles(const TextBlock& block, std::size_t column);
 
-/// Returns the columns of several profiles side by side: columns of heights in one unit whose names
-/// differ in a number alone, as "Profile 1 (um)" and "Profile 2 (um)", with heights in the first
-/// and the last row. Empty where there are none, or where the user chose a column.
-std::vector<int> profilesSideBySide(const TextBlock& block, const ColumnRoles& roles,
-                                    const SurfaceSource& source);
+/// The columns of several profiles side by side.
+struct ProfileColumns {
+  std::vector<int> whole{};    // with heights in the first and the last row
+  std::vector<int> leftOut{};  // without
+};
+
+/// Returns the columns of heights in one unit whose names differ in a number alone, as "Profile 1
+/// (um)" and "Profile 2 (um)". Without whole ones where there are not several, where the first one
+/// is not whole, or where the user chose a column.
+ProfileColumns profilesSideBySide(const TextBlock& block, const ColumnRoles& roles,
+                                  const SurfaceSource& source);
 
 /// Returns whether the positions in a column are in pixels: they number the points.
 bool isInPixels(const TextColumn& column);

@@ -333,7 +333,7 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
 /// says so. Does nothing where there are none, or where they have other positions.
 void addProfilesSideBySide(const TextTable& table, const TextBlock& block,
                            const SurfaceSource& source, SurfaceDraft& draft) {
-  const std::vector<int> columns = profilesSideBySide(block, columnRoles(block, source), source);
+  const auto [columns, leftOut] = profilesSideBySide(block, columnRoles(block, source), source);
   if (columns.empty() || source.choices.format == "profile" || draft.grid.rows > 1) return;
   SurfaceDraft all;
   for (const int column : columns) {
@@ -356,6 +356,10 @@ void addProfilesSideBySide(const TextTable& table, const TextBlock& block,
       "The file has {} profiles side by side, {} to {}, which are the rows of the surface: "
       "surface.row chooses one.",
       columns.size(), columnText(block, columns.front()), columnText(block, columns.back())));
+  for (const int column : leftOut)
+    all.facts.notes.push_back(
+        message("{} is left out: a height is missing in its first or its last row.",
+                columnText(block, column)));
   draft = std::move(all);
 }
 

@@ -4043,6 +4043,10 @@
         <translation>Die Datei hat %1 Profile nebeneinander, %2 bis %3, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
     </message>
     <message>
+        <source>%1 is left out: a height is missing in its first or its last row.</source>
+        <translation>%1 wird ausgelassen: In der ersten oder letzten Zeile fehlt eine Höhe.</translation>
+    </message>
+    <message>
         <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
         <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
     </message>

@@ -215,6 +215,8 @@ TEST(Profiles, ThatStandSideBySideAreRows) {
   EXPECT_EQ(read(table(named("Sensor ", "")), {.heightUnit = "um"}).topography.rows, 1);
   const std::string shorter = table(named("z", " (um)"), true);
   EXPECT_EQ(read(shorter).topography.rows, kRows - 1);
+  EXPECT_TRUE(says(read(shorter), "column 3 'z2' is left out: a height is missing"));
+  EXPECT_FALSE(says(read(text), "is left out"));
 }
 
 TEST(BlankLines, BetweenLinesOfPointsMeanNothing) {

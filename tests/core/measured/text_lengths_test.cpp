@@ -56,8 +56,6 @@ TEST(AxesOfAHeader, HaveTheirOwnLengths) {
   }
 }
 
-/// A length of x alone says nothing about the rows; one without an axis is taken for both, and that
-/// is said.
 TEST(AxesOfAHeader, LineSpacingIsThatOfTheRows) {
   expectSpacings("Line spacing: 2 um\nPoint spacing: 0.5 um\nHeight in um\n", 0.5e-6, 2e-6);
 }
@@ -93,6 +91,8 @@ TEST(AxesOfAHeader, CountsMakeRowsOfAColumn) {
   EXPECT_NEAR(grid.at(2, 3), heightAt(2, 3) * 1e-6, 1e-10);
 }
 
+/// A length of x alone says nothing about the rows; one without an axis is taken for both, and that
+/// is said.
 TEST(AxesOfAHeader, MayBeOneOfBothOrNone) {
   const std::string said = "rows are taken to be as far apart as points";
   const auto rowSpacing = [&](const std::string& line, bool isSaid) {
