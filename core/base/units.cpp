@@ -78,7 +78,7 @@ constexpr std::array kOthers{
     OtherUnit{"in inch", {"m", 0, 0.0254}},
     OtherUnit{"mil", {"m", 0, 2.54e-5}},
     OtherUnit{"ft", {"m", 0, 0.3048}},
-    OtherUnit{"sec", {"s"}},
+    OtherUnit{"sec sek", {"s"}},
     OtherUnit{"min", {"s", 0, 60}},
     OtherUnit{"h", {"s", 0, 3600}},
     OtherUnit{"km/h kmh kph", {"m/s", 0, 1 / 3.6}},
@@ -140,6 +140,7 @@ void spellInLatin(std::string& text) {
       {"\u0413", "G"},
       {"\u0421", "C"},
       {"\u0441", "s"},
+      {"\u0435", "e"},
       {"\u041D", "N"},
       {"\u043D", "n"},
       {"\u0440", "r"},
@@ -155,7 +156,7 @@ std::string usualSpelling(std::string_view name) {
   std::string text(trimmedBlanks(name));
   spellInLatin(text);
   for (const std::string_view times : {"\u00B7"sv, "\u22C5"sv, "*"sv}) replaceAll(text, times, " ");
-  replaceAll(text, "\u207B", "-");
+  for (const std::string_view minus : {"\u207B"sv, "\u2212"sv}) replaceAll(text, minus, "-");
   replaceAll(text, "\u00B9", "1");
   replaceAll(text, "^", "");
   if (text != "m\u00B2") replaceAll(text, "\u00B2", "2");
@@ -344,18 +345,23 @@ std::optional<double> frequencySize(std::string_view unit, bool isAngular) {
     const auto size = frequencySize(scaled->unit, isAngular);
     return size ? std::optional(scaled->power.value * *size) : std::nullopt;
   }
-  const std::string text = usualSpelling(unit);
+  std::string written(unit);
+  replaceAll(written, ".", " ");  // "rad.s-1", "rad/Sek."
+  replaceAll(written, " per ", "/");
+  const std::string text = usualSpelling(written);
   const std::size_t stroke = text.find('/');
   const bool isInverse = stroke == text.npos && text.ends_with("-1");  // "s-1", "min-1"
   std::string_view above = std::string_view(text).substr(0, stroke), below = "s";
   if (stroke != text.npos) below = std::string_view(text).substr(stroke + 1);
-  if (isInverse)
+  if (isInverse) {
     std::tie(above, below) = std::pair("1"sv, std::string_view(text).substr(0, text.size() - 2));
+    if (below.starts_with("rad")) std::tie(above, below) = std::pair("rad"sv, below.substr(3));
+  }
   const std::string word = lowerCase(trimmedBlanks(above));
   const std::string time = lowerCase(trimmedBlanks(below));
-  const auto seconds = isOneOf(time, "second seconds") ? std::optional(1.0)
-                       : time == "minute"              ? std::optional(60.0)
-                                                       : unitSize(time, "s");
+  const auto seconds = isOneOf(time, "second seconds sekunde") ? std::optional(1.0)
+                       : time == "minute"                      ? std::optional(60.0)
+                                                               : unitSize(time, "s");
   if (!seconds) return {};
   if (isOneOf(word, "rad radian radians rads")) return kAngular / *seconds;
   if (isOneOf(word, "krad mrad"))

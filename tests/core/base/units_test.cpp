@@ -167,13 +167,22 @@ TEST(Units, FrequenciesHaveManyUnits) {
                                     {"rad s^-1", 1 / kTurn},
                                     {"rad\u00B7s\u207B\u00B9", 1 / kTurn},
                                     {"10^3 rad/s", 1e3 / kTurn},
+                                    {"rad.s-1", 1 / kTurn},
+                                    {"rad\u00B7s\u22121", 1 / kTurn},
+                                    {"rads-1", 1 / kTurn},
+                                    {"rad min-1", 1 / kTurn / 60},
+                                    {"rad/Sek.", 1 / kTurn},
+                                    {"radians/sec.", 1 / kTurn},
+                                    {"radians per second", 1 / kTurn},
+                                    {"\u0440\u0430\u0434/\u0441\u0435\u043A", 1 / kTurn},
                                     {"deg/s", 1.0 / 360},
                                     {"\u0440\u0430\u0434/\u0441", 1 / kTurn},
                                     {"\u0413\u0446", 1}})
     EXPECT_NEAR(frequencySize(unit, false).value_or(0), hertz, 1e-12 * hertz) << unit;
   EXPECT_NEAR(frequencySize("1/s", true).value_or(0), 1 / kTurn, 1e-12);
   EXPECT_NEAR(frequencySize("1/s", false).value_or(0), 1, 1e-12);
-  for (const char* none : {"", "1", "m/s", "N/s", "rad/mm", "1/mm", "-1", "Pa-1", "furlong"})
+  for (const char* none :
+       {"", "1", "m/s", "N/s", "rad/mm", "rad/Hz", "1/mm", "-1", "Pa-1", "furlong"})
     EXPECT_FALSE(frequencySize(none, true)) << none;
 }
 
