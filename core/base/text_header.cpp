@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <optional>
+#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
 
@@ -198,18 +201,50 @@ TextColumn parseColumnName(std::string_view text) {
   return {std::string(text), {}};
 }
 
-std::optional<std::pair<TextColumn, TextColumn>> splitCorner(
-    const TextColumn& corner, const std::function<bool(const TextColumn&)>& isIts) {
-  const std::string_view name = corner.name;
-  const std::size_t stroke = name.find('\\');
-  if (stroke == name.npos) return {};
-  TextColumn rows = parseColumnName(name.substr(0, stroke)),
-             columns = parseColumnName(name.substr(stroke + 1));
-  if (columns.unit.empty() && isIts({columns.name, corner.unit}))
-    columns.unit = corner.unit;
-  else if (rows.unit.empty())
-    rows.unit = corner.unit;
-  return std::pair{rows, columns};
+TextColumn quantityOfHeads(TextColumn& corner, const std::vector<TextEntry>& header,
+                           const std::function<bool(const TextColumn&)>& isQuantity) {
+  const std::string name = corner.name;
+  if (const std::size_t stroke = name.find('\\'); stroke != name.npos) {
+    TextColumn rows = parseColumnName(name.substr(0, stroke)),
+               heads = parseColumnName(name.substr(stroke + 1));
+    if (heads.unit.empty() && isQuantity({heads.name, corner.unit}))
+      heads.unit = corner.unit;
+    else if (rows.unit.empty())
+      rows.unit = corner.unit;
+    corner = std::move(rows);
+    return isQuantity(heads) ? heads : TextColumn{};
+  }
+  for (const TextEntry& entry : header) {
+    const std::string_view line = withoutEnd(entry.written, ":;, ");
+    if (line.find_first_of("0123456789") != line.npos) continue;
+    // "COF at load (N)" names friction in front of it.
+    const std::vector<std::string_view> words = splitWords(line);
+    std::string last;
+    for (auto word = words.rbegin(); word != words.rend(); ++word) {
+      last = std::string(*word) + (last.empty() ? "" : " ") + last;
+      const std::size_t begin = std::min(last.find_first_not_of(";, "), last.size());
+      if (const TextColumn heads = parseColumnName(last.substr(begin)); isQuantity(heads))
+        return heads;
+    }
+  }
+  return {};
+}
+
+bool isLineOfNames(const TextEntry& entry, const std::vector<TextColumn>& columns) {
+  std::string names, withUnits, inUnits;  // "x", "x (mm)", "x in mm"
+  for (const TextColumn& column : columns) {
+    names += column.name;
+    withUnits += column.name + column.unit;
+    inUnits += column.name + (column.unit.empty() ? "" : "in" + column.unit);
+  }
+  // The letters are sorted, because a unit may stand within the name: "v (mm/s) sliding".
+  const auto letters = [](const std::string& text) {
+    std::string word = plainWord(text);
+    std::ranges::sort(word);
+    return word;
+  };
+  const std::string line = letters(entry.written);
+  return line == letters(names) || line == letters(withUnits) || line == letters(inUnits);
 }
 
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,

@@ -4,10 +4,8 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/base/text_number.h"
@@ -41,11 +39,15 @@ TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 /// a known unit counts; the text in square brackets at the end is always a unit.
 TextColumn parseColumnName(std::string_view text);
 
-/// Splits the name in the corner of a matrix into those of its rows and of its columns: "f (Hz) \ T
-/// (\u00B0C)", of which one unit may have been taken for that of the whole. isIts: whether a column
-/// has a unit of its quantity. Empty where the name is none of a corner.
-std::optional<std::pair<TextColumn, TextColumn>> splitCorner(
-    const TextColumn& corner, const std::function<bool(const TextColumn&)>& isIts);
+/// Returns the quantity of numbers above the columns of a matrix with its unit: that in the corner,
+/// "f (Hz) \ T (\u00B0C)", which leaves that of the rows; else the one that ends a line above the
+/// matrix, "G' at T (\u00B0C)". One unit in the corner may have been taken for that of the whole.
+/// isQuantity: whether a column has a unit of its quantity. Without a name where there is none.
+TextColumn quantityOfHeads(TextColumn& corner, const std::vector<TextEntry>& header,
+                           const std::function<bool(const TextColumn&)>& isQuantity);
+
+/// Returns whether a line has the names of these columns, and nothing else but their units.
+bool isLineOfNames(const TextEntry& entry, const std::vector<TextColumn>& columns);
 
 /// Splits a line of names for `columns` columns. The names may be separated differently from the
 /// numbers: the first separator that gives this number of names is used; none where there is no

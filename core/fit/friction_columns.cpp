@@ -298,9 +298,12 @@ bool isOtherLoad(const std::vector<std::string>& words) {
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit) {
   const std::string word = plainWord(name);
   const auto named = quantityNamed(word);
-  // "Load (MPa)"
-  if (named == Quantity::Force && measures(unit, Quantity::Pressure) && word.size() > 2 &&
-      !containsOneOf(word, "force kraft forza fuerza"))
+  // "Load (MPa)", but not "Normal force (MPa)"
+  if (named == Quantity::Force && measures(unit, Quantity::Pressure) &&
+      containsOneOf(word,
+                    "load last belastung charge carico carga "
+                    "\u043D\u0430\u0433\u0440\u0443\u0437\u043A\u0430 y\u00FCk "
+                    "zat\u00ED\u017Een\u00ED \u8F7D\u8377 \uD558\uC911 \u8377\u91CD"))
     return Quantity::Pressure;
   if (named && (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, *named))) return named;
   if (const auto twice = namedTwice(name)) return twice;

@@ -204,31 +204,24 @@ std::string bareState(const TextColumn& column, const TextColumn& of) {
   return name.empty() || quantityNamed(name) == quantity ? text.substr(number) : std::string();
 }
 
-/// Returns the load or temperature with its unit that a line above a table names alone, ";Load
-/// (N);;", or that its corner names, "v (mm/s) \ F (N)"; takes it out of the corner.
-TextColumn quantityOfHeads(TextBlock& block) {
-  const auto isQuantity = [](const TextColumn& column) {
-    return !column.unit.empty() && quantityOfUnit(column.unit) &&
-           findMeaning(column) == quantityOfUnit(column.unit);
-  };
-  TextColumn& corner = block.columns.front();
-  if (auto split = splitCorner(corner, isQuantity)) {
-    corner = std::move(split->first);
-    return isQuantity(split->second) ? std::move(split->second) : TextColumn{};
-  }
-  for (const TextEntry& entry : block.header) {
-    std::string_view line = withoutEnd(entry.written, ":;, ");
-    line.remove_prefix(std::min(line.find_first_not_of(";, "), line.size()));
-    if (line.find_first_of("0123456789") != line.npos) continue;
-    // "COF at load (N)" names friction in front of it.
-    const std::vector<std::string_view> words = splitWords(line);
-    std::string last;
-    for (auto word = words.rbegin(); word != words.rend(); ++word) {
-      last = std::string(*word) + (last.empty() ? "" : " ") + last;
-      if (const TextColumn of = parseColumnName(last); isQuantity(of)) return of;
-    }
-  }
-  return {};
+/// Returns whether a column has a load or a temperature with its unit.
+bool isLoadOrTemperature(const TextColumn& column) {
+  return !column.unit.empty() && quantityOfUnit(column.unit) &&
+         findMeaning(column) == quantityOfUnit(column.unit);
+}
+
+/// Returns whether a line is about a force other than the normal one, so that "friction" may be
+/// that force: "Friction test (tangential force)".
+bool namesOtherForce(const TextEntry& entry) {
+  const std::string text = lowerCase(entry.written);
+  constexpr WordList kForces(
+      "force kraft kr\u00E4fte forza fuerza for\u00E7a kracht si\u0142a s\u00EDla kuvvet "
+      "\u0441\u0438\u043B\u0430 \u6469\u64E6\u529B");
+  constexpr WordList kNormal("normal vertical vertikal \u043D\u043E\u0440\u043C\u0430\u043B");
+  return (containsOneOf(text, kForces) && !containsOneOf(text, kNormal)) ||
+         std::ranges::any_of(nameWords(text), [](const std::string& word) {
+           return beginsWithOneOf(word, "tang later shear tract drag longi");
+         });
 }
 
 /// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
@@ -237,34 +230,35 @@ void nameFrictionInStates(TextBlock& block) {
   const bool hasMu = std::ranges::any_of(block.columns, [](const TextColumn& column) {
     return findMeaning(column) == FrictionQuantity::Mu;
   });
-  const auto namesFriction = [](const TextEntry& entry) {
+  const bool hasOtherForce = std::ranges::any_of(block.header, [&block](const TextEntry& entry) {
+    return namesOtherForce(entry) && !isLineOfNames(entry, block.columns);
+  });
+  const auto isFriction = [hasOtherForce](const TextColumn& column, std::size_t) {
+    constexpr WordList kMayBeForces(
+        "friction kineticfriction dynamicfriction slidingfriction gleitreibung");
+    return findMeaning(column) == FrictionQuantity::Mu &&
+           !(hasOtherForce && isOneOf(plainWord(column.name), kMayBeForces));
+  };
+  const auto namesFriction = [&isFriction](const TextEntry& entry) {
     const std::string line = joinEntry(entry, " ");
     const std::vector<std::string_view> words = splitWords(line);
     constexpr std::size_t kMaxWords = 3;
     for (std::size_t i = 0; i < words.size(); ++i)
-      if (anyColumn(words, i, kMaxWords, [&words](const TextColumn& column, std::size_t end) {
-            const bool isForce =
-                end < words.size() && beginsWithOneOf(lowerCase(words[end]), "force kraft forza");
-            return findMeaning(column) == FrictionQuantity::Mu && !isForce;
-          }))
-        return true;
+      if (anyColumn(words, i, kMaxWords, isFriction)) return true;
     return false;
   };
   if (hasMu || block.columns.size() < 3 || std::ranges::none_of(block.header, namesFriction))
     return;
   TextBlock named = block;
-  const TextColumn of = quantityOfHeads(named);
+  const TextColumn of = quantityOfHeads(named.columns.front(), named.header, isLoadOrTemperature);
   for (std::size_t i = 1; i < named.columns.size(); ++i) {
     const std::string state = bareState(named.columns[i], of);
     if (state.empty()) return;
     named.columns[i] = {"mu " + state};
   }
   // The line of names states none of all points.
-  std::erase_if(block.header, [&block](const TextEntry& entry) {
-    return std::ranges::all_of(block.columns, [&entry](const TextColumn& column) {
-      return entry.written.find(column.name) != std::string::npos;
-    });
-  });
+  std::erase_if(block.header,
+                [&block](const TextEntry& entry) { return isLineOfNames(entry, block.columns); });
   block.columns = std::move(named.columns);
 }
 
@@ -320,9 +314,8 @@ void stackStates(TextBlock& block) {
   TextBlock stacked;
   stacked.header = block.header;
   // The line of names states none of all points.
-  std::erase_if(stacked.header, [&](const TextEntry& entry) {
-    return entry.written.find(block.columns[*first.mu].name) != std::string::npos;
-  });
+  std::erase_if(stacked.header,
+                [&block](const TextEntry& entry) { return isLineOfNames(entry, block.columns); });
   stacked.rows = block.rows * states.size();
   stacked.texts.resize(kept.size());
   stacked.cells.resize(kept.size());

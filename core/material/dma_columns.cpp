@@ -18,6 +18,13 @@
 namespace asperity {
 namespace {
 
+/// Words after which a letter is the label of a sample.
+constexpr WordList kWordsBeforeLabels(
+    "sample specimen probe proben pr\u00FCfk\u00F6rper pr\u00FCfling material compound mischung "
+    "batch charge lot run series serie type typ \u00E9chantillon campione muestra amostra "
+    "pr\u00F3bka "
+    "vzorek numune \u043E\u0431\u0440\u0430\u0437\u0435\u0446");
+
 constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa, of rubber
 
 ModulusKind modulusKind(std::string_view word) {
@@ -368,11 +375,14 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   column.kind = modulusKind(plain);
   column.form = formOfName(plain);
   std::vector<std::string> words = wordsOf(word);
-  // "Storage_Modulus_G"
-  if (isModulus(column.quantity) && column.kind == ModulusKind::Unknown && !words.empty())
-    column.kind = words.back() == "g"   ? ModulusKind::Shear
-                  : words.back() == "e" ? ModulusKind::Tension
-                                        : ModulusKind::Unknown;
+  // "Storage_Modulus_G", but not "Storage modulus (sample G)"
+  std::span<const std::string> ofModulus = words;
+  if (words.size() > 1 && isOneOf(words[words.size() - 2], kWordsBeforeLabels))
+    ofModulus = ofModulus.first(words.size() - 2);
+  if (isModulus(column.quantity) && column.kind == ModulusKind::Unknown && !ofModulus.empty())
+    column.kind = ofModulus.back() == "g"   ? ModulusKind::Shear
+                  : ofModulus.back() == "e" ? ModulusKind::Tension
+                                            : ModulusKind::Unknown;
   // "D'" is a compliance, and "dE'" the deviation of a modulus.
   if (column.form == MeasuredForm::Compliance && !words.empty() && words.front() == "d")
     words.front() = "j";

@@ -298,7 +298,6 @@ bool isSweep(const TextBlock& block) {
 /// without frequencies.
 void invertPeriods(TextTable& table, std::vector<Message>& notes) {
   for (TextBlock& block : table.blocks) {
-    const auto quantityOf = [](const TextColumn& column) { return dmaColumn(column).quantity; };
     const auto isPeriod = [](const TextColumn& column) {
       return isOneOf(compactName(column.name),
                      "period periode periodo oscillationperiod periodendauer schwingungsdauer") &&
@@ -307,7 +306,8 @@ void invertPeriods(TextTable& table, std::vector<Message>& notes) {
     const auto period = std::ranges::find_if(block.columns, isPeriod);
     if (period == block.columns.end() ||
         std::ranges::any_of(block.columns, [&](const TextColumn& column) {
-          return quantityOf(column) == Frequency || quantityOf(column) == ReducedFrequency;
+          const DmaQuantity quantity = dmaColumn(column).quantity;
+          return quantity == Frequency || quantity == ReducedFrequency;
         }))
       continue;
     const double size = *unitSize(period->unit, "s");

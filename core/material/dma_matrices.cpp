@@ -19,10 +19,6 @@ namespace {
 
 using enum DmaQuantity;
 
-DmaQuantity quantityOf(const TextColumn& column) {
-  return dmaColumn(column.name, column.unit).quantity;
-}
-
 /// A matrix of one quantity.
 struct Matrix {
   TextColumn value{};                 // "G'", MPa
@@ -31,26 +27,11 @@ struct Matrix {
   bool isAssumed = false;             // whether the unit of the states is
 };
 
-/// Returns the quantity in the corner of a matrix that the columns have, "T (\u00B0C)" of "f (Hz) \
-/// T (\u00B0C)", and leaves that of the rows; else the one that a line above it names alone.
-TextColumn quantityOfColumns(TextColumn& first, const TextBlock& block) {
-  const auto hasItsUnit = [](const TextColumn& column) {
-    return quantityOf(column) == Temperature ? temperatureUnit(column.unit).has_value()
-                                             : frequencyUnit(column.unit, false).has_value();
-  };
-  if (auto corner = splitCorner(first, hasItsUnit)) {
-    first = std::move(corner->first);
-    return std::move(corner->second);
-  }
-  for (const TextEntry& entry : block.header) {
-    const std::string_view written = withoutEnd(trimmedBlanks(entry.written), ":;, ");
-    const TextColumn column =
-        parseColumnName(written.substr(std::min(written.find_first_not_of(";, "), written.size())));
-    if (written.find_first_of("0123456789") == written.npos && !column.unit.empty() &&
-        (quantityOf(column) == Temperature || quantityOf(column) == Frequency))
-      return column;
-  }
-  return {};
+/// Returns whether a column has a temperature or a frequency with its unit.
+bool isTemperatureOrFrequency(const TextColumn& column) {
+  const DmaQuantity quantity = dmaColumn(column).quantity;
+  return !column.unit.empty() && ((quantity == Temperature && temperatureUnit(column.unit)) ||
+                                  (quantity == Frequency && frequencyUnit(column.unit, false)));
 }
 
 /// Returns the states above all columns but the first, each "20 \u00B0C" or "10 Hz"; empty where
@@ -66,24 +47,23 @@ std::vector<std::string> statesOf(const TextBlock& block, DmaQuantity ofRows, co
     const std::string text = column.name + " " + column.unit;
     const auto temperature = firstTemperature(text);
     const auto frequency = firstFrequency(text);
-    double number = 0;
+    const auto number = parseQuantity(column.name);
     if (wanted == Temperature && temperature) {
       states.push_back(text.substr(temperature->begin, temperature->end - temperature->begin));
     } else if (wanted == Frequency && frequency) {
       states.push_back(text.substr(frequency->begin, frequency->end - frequency->begin));
-    } else if (column.unit.empty() && readTextNumber(column.name, '.', number)) {
-      bare.push_back(number);
+    } else if (column.unit.empty() && number && number->unit.empty() && !number->isGrouped) {
+      bare.push_back(number->number);
       continue;
     } else {
       return {};
     }
     // "G' 20 \u00B0C" names its modulus, too.
     const std::string name = text.substr(0, text.find_first_of("-0123456789"));
-    if (!compactName(name).empty() && quantityOf({std::string(keyBefore(name))}) != wanted)
-      return {};
+    if (!compactName(name).empty() && dmaColumn(keyBefore(name), {}).quantity != wanted) return {};
   }
   if (bare.empty()) return states;
-  const bool isStated = quantityOf(of) == wanted && !of.unit.empty();
+  const bool isStated = dmaColumn(of).quantity == wanted && !of.unit.empty();
   if (!states.empty() || (!isStated && wanted == Frequency)) return {};
   isAssumed = !isStated;
   const std::string unit = isStated ? of.unit : assumedTemperatureUnit(std::ranges::min(bare));
@@ -96,7 +76,7 @@ std::vector<std::string> statesOf(const TextBlock& block, DmaQuantity ofRows, co
 TextColumn valueOf(const TextBlock& block) {
   for (auto entry = block.header.rbegin(); entry != block.header.rend(); ++entry) {
     const TextColumn column = parseColumnName(withoutEnd(trimmedBlanks(entry->written), ":;, "));
-    if (isMeasured(quantityOf(column))) return column;
+    if (isMeasured(dmaColumn(column).quantity)) return column;
   }
   return {};
 }
@@ -105,8 +85,8 @@ std::optional<Matrix> matrixOf(const TextBlock& block) {
   if (block.columns.size() < 3 || block.columns.front().isText) return {};
   Matrix matrix;
   matrix.first = block.columns.front();
-  const TextColumn of = quantityOfColumns(matrix.first, block);
-  const DmaQuantity ofRows = quantityOf(matrix.first);
+  const TextColumn of = quantityOfHeads(matrix.first, block.header, isTemperatureOrFrequency);
+  const DmaQuantity ofRows = dmaColumn(matrix.first).quantity;
   if (ofRows != Frequency && ofRows != Temperature) return {};
   matrix.value = valueOf(block);
   if (matrix.value.name.empty()) return {};
@@ -126,7 +106,7 @@ std::vector<TextColumn> valuesOfGroups(const TextBlock& block) {
     for (const std::string_view field : splitText(line, ";"))
       if (!trimmedBlanks(field).empty()) values.push_back(parseColumnName(field));
     const bool areMeasured = std::ranges::all_of(
-        values, [](const TextColumn& value) { return isMeasured(quantityOf(value)); });
+        values, [](const TextColumn& value) { return isMeasured(dmaColumn(value).quantity); });
     if (values.size() > 1 && areMeasured) return values;
   }
   return {};
@@ -139,9 +119,9 @@ bool nameGroups(TextBlock& block) {
       (block.columns.size() - 1) % values.size() != 0)
     return false;
   TextColumn first = block.columns.front();
-  const TextColumn of = quantityOfColumns(first, block);
+  const TextColumn of = quantityOfHeads(first, block.header, isTemperatureOrFrequency);
   bool isAssumed = false;
-  const std::vector<std::string> states = statesOf(block, quantityOf(first), of, isAssumed);
+  const std::vector<std::string> states = statesOf(block, dmaColumn(first).quantity, of, isAssumed);
   const std::size_t count = (block.columns.size() - 1) / values.size();
   if (states.empty() || isAssumed || count < 2) return false;
   for (std::size_t i = 0; i < states.size(); ++i)
@@ -152,8 +132,31 @@ bool nameGroups(TextBlock& block) {
   return true;
 }
 
-bool haveSameRows(const TextBlock& one, const TextBlock& other) {
-  return one.rows == other.rows && one.column(0) == other.column(0);
+/// Returns the frequencies (Hz) or temperatures (K) of the rows of a matrix; NaN where their unit
+/// is not known.
+std::vector<double> rowsInSi(const TextColumn& first, const TextBlock& block) {
+  const DmaColumn meaning = dmaColumn(first);
+  const auto kelvins = temperatureUnit(first.unit);
+  const auto hertz = frequencyUnit(first.unit, meaning.isAngular);
+  std::vector<double> rows = block.column(0);
+  for (double& row : rows)
+    if (meaning.quantity == Temperature)
+      row = kelvins ? kelvins->toSi(row) : std::nan("");
+    else
+      row *= hertz.value_or(std::nan(""));
+  return rows;
+}
+
+bool haveSameRows(const TextColumn& first, const TextBlock& block, const TextColumn& otherFirst,
+                  const TextBlock& other) {
+  constexpr double kRounding = 1e-9;
+  if (first.name == otherFirst.name && first.unit == otherFirst.unit)
+    return block.column(0) == other.column(0);
+  return dmaColumn(first).quantity == dmaColumn(otherFirst).quantity &&
+         std::ranges::equal(rowsInSi(first, block), rowsInSi(otherFirst, other),
+                            [](double one, double two) {
+                              return std::abs(one - two) <= kRounding * std::abs(one);
+                            });
 }
 
 }  // namespace
@@ -167,9 +170,9 @@ void joinMatrices(TextTable& table, std::vector<Message>& notes) {
   for (const TextBlock& block : blocks) {
     auto matrix = matrixOf(block);
     if (!matrix) return;
-    const bool isSame = found.empty() || (matrix->states == found.front().states &&
-                                          matrix->first.name == found.front().first.name &&
-                                          haveSameRows(block, blocks.front()));
+    const bool isSame =
+        found.empty() || (matrix->states == found.front().states &&
+                          haveSameRows(matrix->first, block, found.front().first, blocks.front()));
     if (!isSame) return;
     found.push_back(std::move(*matrix));
   }
@@ -179,7 +182,7 @@ void joinMatrices(TextTable& table, std::vector<Message>& notes) {
   made.header = blocks.front().header;
   // The line of names states none of all points.
   std::erase_if(made.header, [&blocks](const TextEntry& entry) {
-    return entry.written.find(blocks.front().columns.back().name) != std::string::npos;
+    return isLineOfNames(entry, blocks.front().columns);
   });
   made.rows = blocks.front().rows;
   made.lines = blocks.front().lines;

@@ -853,7 +853,19 @@ TEST(FrictionData, StatesAloneAboveColumnsOfFriction) {
   }
   const FrictionData warm = parsed("Reibwert\nv (mm/s);-5 \u00B0C;25 \u00B0C\n" + rows);
   EXPECT_DOUBLE_EQ(warm.points[0].temperature, 268.15);
-  EXPECT_NE(errorOf("Friction force (N)\nv (mm/s);5 N;10 N\n" + rows), "no error");
+  // "Friction" may be a force where the line names one.
+  for (const std::string line :
+       {"Friction force (N)", "Friction test (tangential force)",
+        "Friction of NR\nTangential force in N", "Gleitreibung (Kraft in N)"})
+    EXPECT_NE(errorOf(line + "\nv (mm/s);5 N;10 N\n" + rows), "no error") << line;
+  for (const std::string names :
+       {"Friction at normal force (N)\nv (mm/s);5;10\n", "Friction\nv (mm/s) \\ Force (N);5;10\n"})
+    EXPECT_DOUBLE_EQ(parsed(names + rows).points[3].normalForce, 10) << names;
+  // A line that names the columns among other things is kept.
+  for (const std::string title :
+       {"COF over v (mm/s), 5 N and 10 N, T = 40 \u00B0C", "COF over v, T = 40 \u00B0C"})
+    EXPECT_DOUBLE_EQ(parsed(title + "\nv (mm/s);5 N;10 N\n" + rows).points[3].temperature, 313.15)
+        << title;
   EXPECT_THAT(errorOf("v (mm/s);5 N;10 N\n" + rows),
               HasSubstr("has no column of the coefficient of friction"));
 }
@@ -890,7 +902,18 @@ TEST(FrictionData, ALoadMayBeAPressureAndAVelocityPerHour) {
         errorOf("v (m/s);COF (avg);COF (" + bound + ")\n1;0,5;0,4\n2;0,6;0,5\n"),
         HasSubstr("column COF " + bound + ": bounds of the coefficient of friction are not read"));
   EXPECT_DOUBLE_EQ(parsed("v (m/s);mu (\u2030)\n1;500\n2;600\n").points[0].mu, 0.5);
-  EXPECT_NE(errorOf("v (m/s);mu;Normal force (MPa)\n1;0,5;1\n2;0,6;1\n"), "no error");
+  for (const std::string load : {"Belastung", "Charge normale",
+                                 "\u041D\u0430\u0433\u0440\u0443"
+                                 "\u0437\u043A\u0430"})
+    EXPECT_DOUBLE_EQ(
+        parsed("v (m/s);mu;" + load + " (MPa)\n1;0,5;1\n2;0,6;1\n").points[0].nominalPressure, 1e6)
+        << load;
+  for (const std::string force :
+       {"Normal force", "Normalkraft", "Force normale", "Norm\u00E1lov\u00E1 s\u00EDla",
+        "\u041D\u043E\u0440\u043C\u0430\u043B\u044C\u043D\u0430\u044F "
+        "\u0441\u0438\u043B\u0430",
+        "Normal kuvvet", "\u6CD5\u5411\u529B"})
+    EXPECT_NE(errorOf("v (m/s);mu;" + force + " (MPa)\n1;0,5;1\n2;0,6;1\n"), "no error") << force;
   EXPECT_NEAR(parsed("v (m/s);mu;T (deg F)\n1;0,5;68\n2;0,6;68\n").points[0].temperature, 293.15,
               1e-9);
 }

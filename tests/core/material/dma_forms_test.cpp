@@ -351,6 +351,55 @@ TEST(DmaForms, MatricesOfBothModuliAreOneTable) {
   expectRow(corner.rows[3], 313.15, 1e4, 3e6, 3e5);
 }
 
+TEST(DmaForms, RowsOfMatricesAreComparedWithTheirUnits) {
+  const auto text = [](const std::string& names, const std::string& rows) {
+    return "G' (MPa)\nf (Hz);20 \u00B0C;40 \u00B0C\n1;2;1\n10;4;3\n\nG'' (MPa)\n" + names +
+           ";20 \u00B0C;40 \u00B0C\n" + rows;
+  };
+  for (const char* names : {"f (kHz)", "f (rad/s)", "omega", "T (\u00B0C)"})
+    EXPECT_NE(errorOf(text(names, "1;0.2;0.1\n10;0.4;0.3\n")), "no error") << names;
+  for (const auto& [names, rows] :
+       {std::pair("f (kHz)", "0.001;0.2;0.1\n0.01;0.4;0.3\n"),
+        {"omega (rad/s)", "6.283185307179586;0.2;0.1\n62.83185307179586;0.4;0.3\n"}}) {
+    const DmaFile file = read(text(names, rows));
+    ASSERT_EQ(file.rows.size(), 4U) << names;
+    expectRow(file.rows[3], 313.15, 10, 3e6, 3e5);
+  }
+}
+
+TEST(DmaForms, NumbersAboveMatricesMayHaveDecimalCommas) {
+  const DmaFile file = read(
+      "G' (MPa)\nf (Hz) \\ T (\u00B0C);22,5;40\n1;2;1\n10;4;3\n\n"
+      "G'' (MPa)\nf (Hz) \\ T (\u00B0C);22,5;40\n1;0,2;0,1\n10;0,4;0,3\n");
+  ASSERT_EQ(file.rows.size(), 4U);
+  expectRow(file.rows[1], 295.65, 10, 4e6, 4e5);
+}
+
+/// A line above matrices is kept although a number in it is that of a column.
+TEST(DmaForms, LinesAboveMatricesStateWhatHoldsForAll) {
+  for (const std::string filler : {"40", "50"}) {
+    const DmaFile file = read("Simple shear, " + filler +
+                              " phr carbon black\nStorage modulus (MPa)\nf (Hz);20;40\n1;2;1\n"
+                              "10;4;3\n\nLoss modulus (MPa)\nf (Hz);20;40\n1;0.2;0.1\n"
+                              "10;0.4;0.3\n");
+    expectRow(file.rows[3], 313.15, 10, 3e6, 3e5);
+  }
+}
+
+TEST(DmaForms, TheLetterOfASampleIsNoSymbol) {
+  for (const char* sample : {"sample E", "sample G", "Specimen E", "Probe G", "compound E"}) {
+    const std::string label = std::string(" modulus (") + sample + ") (MPa)";
+    EXPECT_THAT(errorOf("f (Hz);T (\u00B0C);Storage" + label + ";Loss" + label +
+                        "\n1;20;2;0.2\n10;20;4;0.4\n"),
+                HasSubstr("--modulus"))
+        << sample;
+  }
+  expectRow(read("f (Hz);T (\u00B0C);Storage modulus G (sample E) (MPa);Loss modulus G (sample E) "
+                 "(MPa)\n1;20;2;0.2\n10;20;4;0.4\n")
+                .rows[1],
+            293.15, 10, 4e6, 4e5);
+}
+
 TEST(DmaForms, MatricesSideBySideAreOneTable) {
   for (const char* separator : {";", "\t", ","}) {
     std::string text =
