@@ -370,7 +370,7 @@ std::optional<Message> reasonAgainst(const ArmNumber& one, const StatedArms& sta
       // "E2" beside "G1" may be the name of a sample.
       if (!same.empty() && same.begin()->second->name != one.name) break;
       return message(
-          "{} stands here without a number that is read; write it as \"{} = 1\", with its "
+          "{} has no number that can be read; write it as \"{} = 1\", with its "
           "unit, or leave it out",
           written, written);
     case Doubt::NoArm:

@@ -4739,8 +4739,8 @@
         <translation>%1 gehört zu keinem Arm; hinter den Namen gehört die Nummer des Arms, oder die Angabe ist wegzulassen</translation>
     </message>
     <message>
-        <source>%1 stands here without a number that is read; write it as &quot;%2 = 1&quot;, with its unit, or leave it out</source>
-        <translation>%1 steht hier ohne eine Zahl, die gelesen wird; zu schreiben ist „%2 = 1“ mit Einheit, oder die Angabe ist wegzulassen</translation>
+        <source>%1 has no number that can be read; write it as &quot;%2 = 1&quot;, with its unit, or leave it out</source>
+        <translation>%1 hat keine lesbare Zahl; zu schreiben ist „%2 = 1“ mit Einheit, oder die Angabe ist wegzulassen</translation>
     </message>
     <message>
         <source>%1 is stated without %2; each arm needs both</source>

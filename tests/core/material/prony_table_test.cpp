@@ -363,9 +363,8 @@ TEST(PronyLines, NoArmIsLeftOutInSilence) {
   EXPECT_THAT(seriesError(arm + "G2 = 1 MPa, tau = 10 s\n"),
               HasSubstr("line 3: tau belongs to no arm; write the number of its arm"));
   EXPECT_THAT(seriesError(arm + "G = 1 MPa\n"), HasSubstr("line 3: G belongs to no arm"));
-  EXPECT_THAT(
-      seriesError(arm + "G2 = abc\ntau2 = n/a\n"),
-      HasSubstr("line 3: G_2 stands here without a number that is read; write it as \"G_2 = 1\""));
+  EXPECT_THAT(seriesError(arm + "G2 = abc\ntau2 = n/a\n"),
+              HasSubstr("line 3: G_2 has no number that can be read; write it as \"G_2 = 1\""));
   EXPECT_THAT(seriesError("G1;2;MPa\ntau1;0.1;s\nG2;n/a;MPa\n"),
               HasSubstr("line 3: G_2 stands here without"));
   for (const char* other : {"double G2 = 1e6; // Pa\ndouble tau2 = 10; // s\n",
@@ -398,7 +397,7 @@ TEST(PronyLines, CommasInListsAreReadOrRefused) {
   EXPECT_THAT(seriesError("G_inf = 1 MPa\nG = [2,5 1,5]  # MPa\ntau = [1 2 3 4]\n"),
               HasSubstr("line 2: the commas in the list may separate decimals or numbers"));
   EXPECT_THAT(seriesError("G_inf = 1 MPa\nG = [2, 1; 3, 4]  # MPa\ntau = [1; 10]\n"),
-              HasSubstr("line 2: G_1 stands here without a number"));
+              HasSubstr("line 2: G_1 has no number that can be read"));
   for (const char* list : {"[2e6,1e6]", "[2.0,1e6]", "[2e6, 1e6]", "[2e6; 1e6]", "[2e6 1e6]"})
     EXPECT_EQ(readSeries(std::string("G_inf = 1e6 Pa\nG = ") + list + " # Pa\ntau = [0.1,10]\n")
                   ->arms.size(),
