@@ -291,12 +291,15 @@ class BatchRun {
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
-      const bool isAlone = scene.comparison == Comparisons{};
-      CurveSet curves = content.curves;
-      curves.present.scene = scene;  // tables name it in English
-      writeFileAtomically(fileIn(name + ".csv"),
-                          provenanceComment("batch", scene) +
-                              (isAlone ? curveCsv(curve, columnsFor(scene)) : curveSetCsv(curves)));
+      std::string table;
+      if (scene.comparison == Comparisons{}) {
+        table = curveCsv(curve, columnsFor(scene));
+      } else {
+        CurveSet curves = content.curves;
+        curves.present.scene = scene;  // tables name it in English
+        table = curveSetCsv(curves);
+      }
+      writeFileAtomically(fileIn(name + ".csv"), provenanceComment("batch", scene) + table);
       result.files.push_back(name + ".csv");
     }
     if (layoutFrom(result.item.show) == PictureLayout::Transient) {

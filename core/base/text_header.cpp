@@ -247,6 +247,11 @@ bool isLineOfNames(const TextEntry& entry, const std::vector<TextColumn>& column
   return line == letters(names) || line == letters(withUnits) || line == letters(inUnits);
 }
 
+void eraseLinesOfNames(std::vector<TextEntry>& header, const std::vector<TextColumn>& columns) {
+  std::erase_if(header,
+                [&columns](const TextEntry& entry) { return isLineOfNames(entry, columns); });
+}
+
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
                                     std::size_t columns) {
   const bool hasPairs =

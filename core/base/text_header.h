@@ -49,6 +49,10 @@ TextColumn quantityOfHeads(TextColumn& corner, const std::vector<TextEntry>& hea
 /// Returns whether a line has the names of these columns, and nothing else but their units.
 bool isLineOfNames(const TextEntry& entry, const std::vector<TextColumn>& columns);
 
+/// Erases the lines of the names of these columns, where a table gets other columns: a state in a
+/// name, "mu 5 N", is not one of all points.
+void eraseLinesOfNames(std::vector<TextEntry>& header, const std::vector<TextColumn>& columns);
+
 /// Splits a line of names for `columns` columns. The names may be separated differently from the
 /// numbers: the first separator that gives this number of names is used; none where there is no
 /// such separator. A unit after a space stays with its name.

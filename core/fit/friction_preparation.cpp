@@ -256,9 +256,7 @@ void nameFrictionInStates(TextBlock& block) {
     if (state.empty()) return;
     named.columns[i] = {"mu " + state};
   }
-  // The line of names states none of all points.
-  std::erase_if(block.header,
-                [&block](const TextEntry& entry) { return isLineOfNames(entry, block.columns); });
+  eraseLinesOfNames(block.header, block.columns);
   block.columns = std::move(named.columns);
 }
 
@@ -314,8 +312,7 @@ void stackStates(TextBlock& block) {
   TextBlock stacked;
   stacked.header = block.header;
   // The line of names states none of all points.
-  std::erase_if(stacked.header,
-                [&block](const TextEntry& entry) { return isLineOfNames(entry, block.columns); });
+  eraseLinesOfNames(stacked.header, block.columns);
   stacked.rows = block.rows * states.size();
   stacked.texts.resize(kept.size());
   stacked.cells.resize(kept.size());

@@ -180,10 +180,7 @@ void joinMatrices(TextTable& table, std::vector<Message>& notes) {
   const Matrix& first = found.front();
   TextBlock made;
   made.header = blocks.front().header;
-  // The line of names states none of all points.
-  std::erase_if(made.header, [&blocks](const TextEntry& entry) {
-    return isLineOfNames(entry, blocks.front().columns);
-  });
+  eraseLinesOfNames(made.header, blocks.front().columns);
   made.rows = blocks.front().rows;
   made.lines = blocks.front().lines;
   made.columns = {first.first};
