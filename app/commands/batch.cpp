@@ -34,7 +34,7 @@
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 
 namespace asperity {
 namespace {

@@ -17,6 +17,7 @@
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/scene_files.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 
@@ -92,22 +93,6 @@ double errorAt(const std::vector<RelativeError>& errors, double velocity) {
   return std::lerp(
       below.value, above->value,
       std::log(velocity / below.velocity) / std::log(above->velocity / below.velocity));
-}
-
-/// Returns the scene with the names of its files relative to another folder.
-Scene seenFrom(const std::string& given, Scene scene) {
-  const std::filesystem::path folder = std::filesystem::absolute(given);  // it may not exist yet
-  const auto move = [&](std::string& name) {
-    const std::filesystem::path file = scene.folder / name;
-    std::error_code error;
-    if (name.empty() || !std::filesystem::exists(file, error)) return;  // a shipped material
-    const std::filesystem::path seen = std::filesystem::proximate(file, folder, error);
-    if (!error) name = seen.string();
-  };
-  if (hasSurfaceFile(scene.surface)) move(scene.surface.file);
-  move(scene.elastomer.material);
-  for (DataFile& table : scene.comparison.data) move(table.file);
-  return scene;
 }
 
 }  // namespace
@@ -294,7 +279,7 @@ FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {
   report.reading = readingFacts(fitted.start);
   report.texts = {
       {"fit.json", fitAnswer(fitted.start, report.reading, fit, fitted.varied)},
-      {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
+      {"fitted.scene.json", writeScene(withFilesRelativeTo(folder, fit.scene))},
       {"fit.csv", provenanceComment(fitProvenance(fitted.start, fit)) + fitCsv(fit, data)}};
   report.sheets.push_back({"curve", fitSheet(fit, fitted.set)});
   if (!fit.profiles.empty()) report.sheets.push_back({"profiles", profileSheet(fit)});

@@ -30,7 +30,7 @@ MaterialText readMaterialText(const std::string& name, const std::filesystem::pa
   if (!std::filesystem::exists(file, ignored)) {
     std::vector<std::string_view> names;
     for (const ShippedMaterial& material : shippedMaterials()) names.push_back(material.name);
-    throw InputError("", "elastomer.material",
+    throw InputError("", kMaterialKey,
                      message("there is no file of this name, and {}", notOneOf(name, names)));
   }
   return {file.string(), readRegularFile(file, kLargestMaterial)};

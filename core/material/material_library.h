@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+inline constexpr const char* kMaterialKey = "elastomer.material";  // names one in a scene
 inline constexpr std::string_view kMaterialSchema = "asperity-material/1";
 
 struct ShippedMaterial {

@@ -202,11 +202,12 @@ Temperatures testTemperatures(const Scene& base, FigureWork& work) {
   result.claim = {"temperature_shift", "p. 4, after Eq. (17)",
                   "Curves are shifted by changes of temperature, which influences the relaxation "
                   "time (the master curve procedure)",
-                  "largest |\u03BC(v, T) / \u03BC(v a_T, T_r) - 1|, 10 to 100 \u00B0C"};
+                  "largest |\u03BC(v, T) / \u03BC(v a\u209C, T\u1D63) - 1|, 10 to 100 \u00B0C"};
   result.claim.expected = 0;
   result.claim.criterion = message("below {}", plain(1e-9));
   decideExactly(result.claim, worst, below(1e-9));
-  result.claim.note = "WLF shift of a filled rubber: C1 = 4.41, C2 = 137.64 K, T_r = 343.15 K.";
+  result.claim.note =
+      "WLF shift of a filled rubber: C\u2081 = 4.41, C\u2082 = 137.64 K, T\u1D63 = 343.15 K.";
   return result;
 }
 

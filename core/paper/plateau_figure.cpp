@@ -85,7 +85,8 @@ Claim heightClaim(const std::vector<Tops>& all) {
   claim.note = message(
       "From {:.3f} to {:.3f}. \u221A2 assumes exponentially distributed slopes; random phases give "
       "Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the "
-      "contact is weighted by the slope. Eq. (10)'s second line lacks a factor \u221AL_cont.",
+      "contact is weighted by the slope. Eq. (10)'s second line lacks the square root of the "
+      "contact length as a factor.",
       lowest, highest);
   return claim;
 }

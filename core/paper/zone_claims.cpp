@@ -59,23 +59,25 @@ Claim zone1FrictionClaim(const GroupedMeans& means) {
 Claim contactLengthClaim(const GroupedMeans& means) {
   Claim claim = zone1Claim(
       {"contact_length_power", "p. 3, before Eq. (7)",
-       "At small forces the contact length is a power of the force, "
-       "L_cont \u221D F\u2099^(1/(1+H))",
-       "exponent of L_cont over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
+       "At small forces the contact length is a power of the force, with the exponent 1/(1+H)",
+       "exponent of the contact length over F\u2099 at the lowest velocity, F\u2099 / G h L up to "
+       "0.1"},
       means, 1 / (1 + means.scene().surface.hurst),
       [&](std::size_t j, int out) { return means.contactFraction(j, 0, out); });
   claim.note =
-      "The slope in contact rises with the force, too, so that \u03BC and L_cont need not have the "
-      "same exponent up to 1.";
+      "The slope in contact rises with the force, too, so that \u03BC and the contact length need "
+      "not have the same exponent up to 1.";
   return claim;
 }
 
 /// Returns the claim on Eq. (6), on each line and for averages of mu compared with the pooled
 /// contact.
 Claim contactLawClaim(const GroupedMeans& means) {
-  Claim claim{"equation_6", "p. 3, Eq. (6)",
-              "At low velocities \u03BC = 4 L_cont \u03B7 grad_cont\u00B2 v / F\u2099",
-              "largest |\u03BC / Eq. (6) - 1| at the lowest velocity, all forces"};
+  Claim claim{
+      "equation_6", "p. 3, Eq. (6)",
+      "At low velocities \u03BC is 4 \u03B7 v / F\u2099 times the contact length and the squared "
+      "rms slope in contact",
+      "largest |\u03BC / Eq. (6) - 1| at the lowest velocity, all forces"};
   const auto deviation = [&](std::size_t j, int out) {
     const double predicted = contactFriction(
         means.lawInput(j, 0), means.contactFraction(j, 0, out) * means.scene().surface.length,
@@ -119,8 +121,9 @@ Claim slopeTrendClaim(const GroupedMeans& means) {
                 : kNotApplicable;
   claim.expected = predicted;
   claim.note =
-      "Eq. (15)'s exponents must read +2(1 - H). With them, and q_cont = 2 pi / L_cont for the "
-      "whole contact taken as one piece, it gives the expected value; the real contact is in many "
+      "Eq. (15)'s exponents must read +2(1 - H). With them, and with the whole contact taken as "
+      "one piece, whose length is the longest wave in contact, it gives the expected value; the "
+      "real contact is in many "
       "pieces, which are shorter.";
   return claim;
 }

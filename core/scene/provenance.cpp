@@ -60,31 +60,18 @@ Json levelOversampling(std::string_view verb, const Scene& scene) {
 
 constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from
 
-/// Returns the files that a scene names, without their digests. A new key that names a file belongs
-/// here: provenance and the protection of what is read follow from it.
-std::vector<InputFile> namedFiles(const Scene& scene) {
-  std::vector<InputFile> files;
-  const auto add = [&files](const char* key, const std::string& name) {
-    if (!name.empty()) files.push_back({key, name, {}});
-  };
-  add("surface.file", scene.surface.file);
-  add("elastomer.material", scene.elastomer.material);
-  for (const DataFile& table : scene.comparison.data) add("comparison.data", table.file);
-  return files;
+bool isMaterial(const InputFile& file) {
+  return file.key == kMaterialKey;
 }
 
-/// Returns those of them that the scene uses.
+/// Returns the files that a scene names and uses, without their digests.
 std::vector<InputFile> filesOf(const Scene& scene) {
   std::vector<InputFile> files = namedFiles(scene);
   std::erase_if(files, [&](const InputFile& file) {
     return (file.key == "surface.file" && !hasSurfaceFile(scene.surface)) ||
-           (file.key == "elastomer.material" && scene.elastomer.rheology != Rheology::Prony);
+           (isMaterial(file) && scene.elastomer.rheology != Rheology::Prony);
   });
   return files;
-}
-
-bool isMaterial(const InputFile& file) {
-  return file.key == "elastomer.material";
 }
 
 /// A file that cannot be read has no digest: the command that needs it reports the error.
@@ -234,16 +221,6 @@ std::vector<InputFile> inputsOf(const FoundScene& found) {
   if (const auto made = origin.find("origin"); made != origin.end()) {
     const std::string name = std::filesystem::path(textIn(*made, "file")).filename().string();
     if (!name.empty()) files.push_back({kMeasurements, name, textIn(*made, "sha256")});
-  }
-  return files;
-}
-
-std::vector<std::filesystem::path> filesReadBy(const Scene& scene) {
-  std::vector<std::filesystem::path> files;
-  for (const InputFile& file : namedFiles(scene)) {
-    const std::filesystem::path path =
-        isMaterial(file) ? materialFile(file.name, scene.folder) : scene.folder / file.name;
-    if (!path.empty()) files.push_back(path);  // a shipped material is in no file
   }
   return files;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/scene/scene_files.h"
 
 namespace asperity {
 
@@ -64,17 +65,8 @@ struct FoundScene {
   std::vector<FoundScene> parts{};  // of a result of many scenes, in its order
 };
 
-/// A file that a result was made from: "comparison.data", "data.csv", its SHA-256 (empty: unknown).
-struct InputFile {
-  std::string key, name, sha256;
-};
-
 /// Returns the files that a result was made from and that are still needed to make it again.
 std::vector<InputFile> inputsOf(const FoundScene& found);
-
-/// Returns the path of every file that a scene names, whether it is used or not: a result must not
-/// replace one of them.
-std::vector<std::filesystem::path> filesReadBy(const Scene& scene);
 
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),
 /// or in a scene file. Relative file names in the scene refer to the file's folder, or to the first

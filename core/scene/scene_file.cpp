@@ -206,7 +206,6 @@ void chooseAccuracy(std::vector<Assignment>& assignments) {
   if (has(false, isResolution)) drop(isTarget);
 }
 
-constexpr std::string_view kMaterial = "elastomer.material";
 constexpr std::string_view kRheology = "elastomer.rheology";
 
 /// Members of a material file that describe it for people, and its own history.
@@ -221,7 +220,7 @@ const Assignment* lastValue(const std::vector<Assignment>& assignments, std::str
 }
 
 std::string nameOfMaterial(const std::vector<Assignment>& assignments) {
-  const Assignment* named = lastValue(assignments, kMaterial);
+  const Assignment* named = lastValue(assignments, kMaterialKey);
   const auto* name = named ? std::get_if<std::string>(&named->value) : nullptr;
   return name ? *name : std::string();
 }
@@ -272,10 +271,10 @@ bool isWholeWithoutMaterial(const std::vector<Assignment>& assignments, const Sc
 void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
                     std::set<std::string_view>& changedKinds) {
   const auto namesMaterial = [](const Assignment& assignment) {
-    return assignment.key == kMaterial && assignment.value != ParameterValue(std::string());
+    return assignment.key == kMaterialKey && assignment.value != ParameterValue(std::string());
   };
   if (std::ranges::none_of(assignments, namesMaterial)) return;
-  const Assignment& last = *lastValue(assignments, kMaterial);
+  const Assignment& last = *lastValue(assignments, kMaterialKey);
   if (!last.fromFile && namesMaterial(last)) {
     std::erase_if(assignments, [](const Assignment& assignment) {
       return assignment.fromFile &&

@@ -867,8 +867,8 @@
         <translation>Gl. (12) setzt β = 1, ohne es zu sagen, und ist im Bereich I um diesen Faktor zu klein. β nach H: %1.</translation>
     </message>
     <message>
-        <source>Eq. (15)&apos;s exponents must read +2(1 - H). With them, and q_cont = 2 pi / L_cont for the whole contact taken as one piece, it gives the expected value; the real contact is in many pieces, which are shorter.</source>
-        <translation>Die Exponenten in Gl. (15) müssen +2(1 - H) lauten. Mit ihnen und q_cont = 2 pi / L_cont für den ganzen Kontakt als ein Stück ergibt sich der erwartete Wert; der wirkliche Kontakt besteht aus vielen kürzeren Stücken.</translation>
+        <source>Eq. (15)&apos;s exponents must read +2(1 - H). With them, and with the whole contact taken as one piece, whose length is the longest wave in contact, it gives the expected value; the real contact is in many pieces, which are shorter.</source>
+        <translation>Die Exponenten in Gl. (15) müssen +2(1 - H) lauten. Mit ihnen und mit dem ganzen Kontakt als einem Stück, dessen Länge die längste Welle im Kontakt ist, ergibt sich der erwartete Wert; der wirkliche Kontakt besteht aus vielen kürzeren Stücken.</translation>
     </message>
     <message>
         <source>Errors against cubic at two high resolutions, extrapolated. The literal march and nodal are other models at the smallest scale: theirs is a difference, not an error. Processor time of one thread, medians of repeated runs, with the share of one velocity of the sweep in making the line.</source>
@@ -887,8 +887,8 @@
         <translation>Die Reibung selbst fällt auf %1 ihres Maximums. Bezogen auf die Steigung im Kontakt geht sie von %2 auf %3. Auf einem glatten Gipfel, wo die Steigung im Kontakt gleichverteilt ist, ist sie 2/√3 = %4.</translation>
     </message>
     <message>
-        <source>From %1 to %2. √2 assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope. Eq. (10)&apos;s second line lacks a factor √L_cont.</source>
-        <translation>Von %1 bis %2. √2 setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist. Der zweiten Zeile von Gl. (10) fehlt ein Faktor √L_cont.</translation>
+        <source>From %1 to %2. √2 assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope. Eq. (10)&apos;s second line lacks the square root of the contact length as a factor.</source>
+        <translation>Von %1 bis %2. √2 setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist. Der zweiten Zeile von Gl. (10) fehlt die Wurzel der Kontaktlänge als Faktor.</translation>
     </message>
     <message>
         <source>From 90 % of the line to 90 % of the maximum it is %1. Region II cannot both begin on the line of slope 1 and grow by two only within a decade.</source>
@@ -1887,16 +1887,16 @@
         <translation>Bei großen Kräften liegt der fallende Bereich IV jenseits praktischer Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>At low velocities μ = 4 L_cont η grad_cont² v / Fₙ</source>
-        <translation>Bei kleinen Geschwindigkeiten ist μ = 4 L_cont η grad_cont² v / Fₙ</translation>
+        <source>At low velocities μ is 4 η v / Fₙ times the contact length and the squared rms slope in contact</source>
+        <translation>Bei kleinen Geschwindigkeiten ist μ gleich 4 η v / Fₙ mal Kontaktlänge und Quadrat der RMS-Steigung im Kontakt</translation>
     </message>
     <message>
         <source>At low velocities the coefficient of friction is very accurately proportional to the squared rms gradient, varied by the spacing</source>
         <translation>Bei kleinen Geschwindigkeiten ist die Reibungszahl sehr genau proportional zum Quadrat der RMS-Steigung, die über den Abstand variiert wird</translation>
     </message>
     <message>
-        <source>At small forces the contact length is a power of the force, L_cont ∝ Fₙ^(1/(1+H))</source>
-        <translation>Bei kleinen Kräften ist die Kontaktlänge eine Potenz der Kraft, L_cont ∝ Fₙ^(1/(1+H))</translation>
+        <source>At small forces the contact length is a power of the force, with the exponent 1/(1+H)</source>
+        <translation>Bei kleinen Kräften ist die Kontaktlänge eine Potenz der Kraft mit dem Exponenten 1/(1+H)</translation>
     </message>
     <message>
         <source>At small velocities the coefficient of friction increases linearly with velocity, for six Hurst exponents</source>
@@ -2103,8 +2103,8 @@
         <translation>Exponent von μ über Fₙ bei der kleinsten Geschwindigkeit, Fₙ / G h L bis 0,1</translation>
     </message>
     <message>
-        <source>exponent of L_cont over Fₙ at the lowest velocity, Fₙ / G h L up to 0.1</source>
-        <translation>Exponent von L_cont über Fₙ bei der kleinsten Geschwindigkeit, Fₙ / G h L bis 0,1</translation>
+        <source>exponent of the contact length over Fₙ at the lowest velocity, Fₙ / G h L up to 0.1</source>
+        <translation>Exponent der Kontaktlänge über Fₙ bei der kleinsten Geschwindigkeit, Fₙ / G h L bis 0,1</translation>
     </message>
     <message>
         <source>For a surface that is rougher on the summits than on the slopes the rms slope would decrease with indentation</source>
@@ -2199,8 +2199,8 @@
         <translation>Die RMS-Steigung im Kontakt wächst schwach mit der Eindringung</translation>
     </message>
     <message>
-        <source>The slope in contact rises with the force, too, so that μ and L_cont need not have the same exponent up to 1.</source>
-        <translation>Auch die Steigung im Kontakt wächst mit der Kraft, daher müssen μ und L_cont nicht bis 1 denselben Exponenten haben.</translation>
+        <source>The slope in contact rises with the force, too, so that μ and the contact length need not have the same exponent up to 1.</source>
+        <translation>Auch die Steigung im Kontakt wächst mit der Kraft, daher müssen μ und Kontaktlänge nicht bis 1 denselben Exponenten haben.</translation>
     </message>
     <message>
         <source>The spacing sets the shortest wave of the line and with it the rms slope: it acts as a parameter of the model.</source>
@@ -2215,8 +2215,8 @@
         <translation>Senkrechte und waagerechte Einheiten sind verschieden.</translation>
     </message>
     <message>
-        <source>WLF shift of a filled rubber: C1 = 4.41, C2 = 137.64 K, T_r = 343.15 K.</source>
-        <translation>WLF-Verschiebung eines gefüllten Gummis: C1 = 4,41; C2 = 137,64 K; T_r = 343,15 K.</translation>
+        <source>WLF shift of a filled rubber: C₁ = 4.41, C₂ = 137.64 K, Tᵣ = 343.15 K.</source>
+        <translation>WLF-Verschiebung eines gefüllten Gummis: C₁ = 4,41; C₂ = 137,64 K; Tᵣ = 343,15 K.</translation>
     </message>
     <message>
         <source>What the spacing of the elements does</source>
@@ -2347,8 +2347,8 @@
         <translation>größtes |μ / Gl. (8) - 1| im Vollkontakt, mit der Steigung der aufgelösten Linie</translation>
     </message>
     <message>
-        <source>largest |μ(v, T) / μ(v a_T, T_r) - 1|, 10 to 100 °C</source>
-        <translation>größtes |μ(v, T) / μ(v a_T, T_r) - 1|, 10 bis 100 °C</translation>
+        <source>largest |μ(v, T) / μ(v aₜ, Tᵣ) - 1|, 10 to 100 °C</source>
+        <translation>größtes |μ(v, T) / μ(v aₜ, Tᵣ) - 1|, 10 bis 100 °C</translation>
     </message>
     <message>
         <source>largest |n - 1| of μ ∝ vⁿ over the five lowest velocities</source>

@@ -21,7 +21,7 @@
 #include "ui/panels/panel_headers.h"
 #include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 
 namespace asperity {
 

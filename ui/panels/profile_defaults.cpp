@@ -5,7 +5,7 @@
 #include "core/base/number_text.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 
 namespace asperity {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kFile = "surface.file";
 constexpr std::string_view kSpectrumKind = "surface.spectrum_kind";
 constexpr std::string_view kRealizations = "ensemble.realizations";
-constexpr int kDigits = 6;
+constexpr int kDefaultDigits = 6;
 
 /// Returns whether 0 means that the profile's file or the scene determines the value.
 bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
@@ -44,7 +44,7 @@ Placeholder chosenOversampling(const Scene& scene) {
 
 Placeholder fromFile(const Parameter& parameter, double known) {
   if (!(known > 0)) return {ParameterPanel::tr("as in file"), {}, false};
-  const UnitText text = inReadableUnit(roundedToDigits(known, kDigits), fromUtf8(parameter.unit));
+  const UnitText text = inReadableUnit(roundedToDigits(known, kDefaultDigits), fromUtf8(parameter.unit));
   return {inLanguage(text.number), known, false, text.unit};
 }
 

@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr int kSteps = 1000;
-constexpr int kDigits = 3;
+constexpr int kSliderDigits = 3;
 
 struct Span {
   double from, to;
@@ -59,7 +59,7 @@ SliderScale::SliderScale(const Parameter& parameter, std::optional<double> value
   for (int i = 0; i <= kSteps; ++i) {
     const double between = low + (high - low) * i / kSteps;
     double place = scale_ == Scale::Linear ? between : std::exp(between);
-    place = roundedToDigits(place, kDigits);
+    place = roundedToDigits(place, kSliderDigits);
     if (span.whole) place = std::round(place);
     place = std::clamp(place, span.from, span.to);
     if (values_.empty() || place > values_.back()) values_.push_back(place);

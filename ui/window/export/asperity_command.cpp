@@ -19,7 +19,7 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

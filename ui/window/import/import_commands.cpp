@@ -24,7 +24,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 #include "ui/window/import/material_import.h"
 #include "ui/window/import/surface_import.h"
 #include "ui/window/main/appearance.h"

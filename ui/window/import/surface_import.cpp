@@ -22,7 +22,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/parameter_text.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 #include "ui/window/figures/diagram_view.h"
 
 namespace asperity {

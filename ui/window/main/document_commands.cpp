@@ -19,7 +19,7 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/parameter_text.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"

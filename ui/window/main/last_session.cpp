@@ -12,7 +12,7 @@
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/scene_files.h"
+#include "core/scene/scene_files.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/scene_document.h"

@@ -1,13 +1,27 @@
-// Files that a scene names: how they are named, and what naming one means for the scene. Pure but
-// for reading the file of a material; any thread.
+// Files that a scene names: which they are, how they are named, and what naming one means for the
+// scene. Pure but for reading the file of a material and following links; any thread.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/scene/scene.h"
 
 namespace asperity {
+
+/// A file that a scene names, or that a result was made from: "comparison.data", "data.csv", its
+/// SHA-256 (empty: unknown).
+struct InputFile {
+  std::string key, name, sha256;
+};
+
+/// Returns the files and shipped materials that a scene names, without their digests.
+std::vector<InputFile> namedFiles(const Scene& scene);
+
+/// Returns the path of every file that a scene names, whether it is used or not: a result must not
+/// replace one of them.
+std::vector<std::filesystem::path> filesReadBy(const Scene& scene);
 
 /// Returns the file's name in the scene: relative where the file lies in the scene's folder or
 /// below.
