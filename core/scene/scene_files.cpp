@@ -40,7 +40,8 @@ Scene withRenamedFiles(Scene scene, const Rename& rename) {
 /// Returns the absolute path with the links of its folders followed, so that ".." in a name leads
 /// where the system goes. The file itself may be a link; nothing of the path need exist.
 std::filesystem::path canonicalFolder(const std::filesystem::path& folder) {
-  const std::filesystem::path path = std::filesystem::absolute(folder);
+  std::filesystem::path path = std::filesystem::current_path() / folder;  // empty: this one itself
+  if (!path.has_filename()) path = path.parent_path();
   std::error_code error;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, error);
   return error ? path.lexically_normal() : canonical;

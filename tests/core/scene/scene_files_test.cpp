@@ -41,6 +41,18 @@ TEST(FilesRelativeToTheScene, RelativeNamesFollowTheScene) {
   EXPECT_EQ(saved.comparison.data.front().file, "../mu.csv");
 }
 
+// A scene of the present folder has no name of a folder.
+TEST(FilesRelativeToTheScene, ThePresentFolderIsOneToo) {
+  Scene scene;
+  scene.comparison.data = {{"mu.csv", {}}};
+  const auto saved = [&scene](const std::filesystem::path& folder) {
+    return withFilesRelativeTo(folder, scene).comparison.data.front().file;
+  };
+  EXPECT_EQ(saved(""), "mu.csv");
+  EXPECT_EQ(saved("out"), "../mu.csv");
+  EXPECT_EQ(saved("out/"), "../mu.csv");
+}
+
 TEST(FilesRelativeToTheScene, ShippedMaterialsKeepTheirName) {
   Scene scene = sceneWithFiles("asphalt.sdf", "mu.csv");
   scene.elastomer.material = "epdm_70";
