@@ -13,14 +13,14 @@
 namespace asperity {
 namespace {
 
-struct Option {
+struct OptionHelp {
   std::string name;      // "--size"
   std::string sentence;  // of the help
   bool takesValue;
 };
 
-std::vector<Option> longOptions(const CLI::App& command) {
-  std::vector<Option> options;
+std::vector<OptionHelp> longOptions(const CLI::App& command) {
+  std::vector<OptionHelp> options;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames())
       options.push_back({"--" + name, option->get_description(), option->get_expected_max() > 0});
@@ -35,7 +35,7 @@ std::vector<std::string> commandNames(const CLI::App& app) {
 
 std::string optionNames(const CLI::App& command) {
   std::string names;
-  for (const Option& option : longOptions(command))
+  for (const OptionHelp& option : longOptions(command))
     names += (names.empty() ? "" : " ") + option.name;
   return names;
 }
@@ -99,7 +99,7 @@ std::string zshScript(const CLI::App& app) {
     commands += fmt::format(
         "    {}\n", quoted(command->get_name() + ":" + plainWords(command->get_description())));
     std::string options;
-    for (const Option& option : longOptions(*command)) {
+    for (const OptionHelp& option : longOptions(*command)) {
       const std::string after = option.name == "--set" ? ":key:($keys)"
                                 : option.takesValue    ? ":value:_files"
                                                        : "";
@@ -141,7 +141,7 @@ std::string fishScript(const CLI::App& app) {
     text += fmt::format("complete -c asperity -n __fish_use_subcommand -a {} -d {}\n",
                         command->get_name(), quoted(command->get_description()));
   for (const CLI::App* command : app.get_subcommands({}))
-    for (const Option& option : longOptions(*command)) {
+    for (const OptionHelp& option : longOptions(*command)) {
       const std::string values = option.name == "--set"
                                      ? fmt::format(" -x -a {}", quoted(keys("=")))
                                  : option.takesValue ? " -r"

@@ -22,7 +22,7 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kVelocities = 8;  // per region: as many as fill a vector
-constexpr std::int64_t kMaxNodes = std::int64_t{1} << 22;
+constexpr std::int64_t kMaxDiagramNodes = std::int64_t{1} << 22;
 // points per element of the reference, also used doubled
 constexpr std::int64_t kReference = 32;
 constexpr std::int64_t kLongestMarch = 20000;  // elements; a part of a longer march is timed
@@ -102,7 +102,7 @@ class Comparison {
   Comparison(const Scene& scene, const WorkPrecisionOptions& options)
       : scene_(scene), options_(options), source_(scene, 1) {
     lines_ = std::min(options.lines, source_.lines());
-    if (source_.elements() * 2 * kReference > kMaxNodes) lines_ = 1;
+    if (source_.elements() * 2 * kReference > kMaxDiagramNodes) lines_ = 1;
     for (const MethodChoice& choice : allMethods())
       if (isPossible(choice)) choices_.push_back(choice);
   }
@@ -121,7 +121,7 @@ class Comparison {
 
  private:
   bool isPossible(const MethodChoice& choice) const {
-    if (source_.elements() * choice.oversampling > kMaxNodes) return false;
+    if (source_.elements() * choice.oversampling > kMaxDiagramNodes) return false;
     if (elementLaw(scene_.elastomer).kind() == ElementKind::Arms)
       return choice.method == Method::Cubic;
     if (choice.method == Method::Literal)
@@ -208,7 +208,7 @@ class Comparison {
 
   std::vector<double> referenceOf(RegionPrecision& region) const {
     std::int64_t finest = kReference;
-    while (finest > 2 && source_.elements() * 2 * finest > 2 * kMaxNodes) finest /= 2;
+    while (finest > 2 && source_.elements() * 2 * finest > 2 * kMaxDiagramNodes) finest /= 2;
     const std::vector<double> low =
         slideAll(prepare(scene_, {Method::Cubic, finest}, lines_), region.velocities);
     std::vector<double> high =
@@ -287,7 +287,7 @@ class Comparison {
     const std::vector<double> velocity{region.middleVelocity()};
     const std::int64_t count =
         std::min({kMaxLinesOfSpread, std::max<std::int64_t>(scene.ensemble.realizations, 64),
-                  std::max<std::int64_t>(16, kMaxNodes * 4 / source.elements())});
+                  std::max<std::int64_t>(16, kMaxDiagramNodes * 4 / source.elements())});
     std::vector<double> mu;
     Line line;
     PreparedProfile profile;

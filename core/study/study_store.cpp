@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little,
               "the numbers of a store are little-endian");
 
 constexpr int kApplication = 0x41737031;  // "Asp1", in the header of the file
-constexpr int kSchema = 1;                // of the tables
+constexpr int kTableSchema = 1;                // of the tables
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS meta (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
@@ -160,7 +160,7 @@ void StudyStore::create(const ParameterStudy& study, const Shard& shard) {
   database_.execute("BEGIN IMMEDIATE");
   database_.execute(kTables);
   database_.execute(fmt::format("PRAGMA application_id={}", kApplication).c_str());
-  database_.execute(fmt::format("PRAGMA user_version={}", kSchema).c_str());
+  database_.execute(fmt::format("PRAGMA user_version={}", kTableSchema).c_str());
   const auto put = [&](const char* key, const std::string& value) {
     Statement statement(database_, "INSERT OR IGNORE INTO meta VALUES (?, ?)");
     statement.bindText(1, key);
@@ -180,10 +180,10 @@ void StudyStore::readHeader() {
   const std::int64_t schema = database_.number("PRAGMA user_version");
   if (application != kApplication)
     throw InputError(file().string(), "", "is a database, but not the store of a study");
-  if (schema != kSchema)
+  if (schema != kTableSchema)
     throw InputError(
         file().string(), "",
-        message("has schema {}; this program knows {}: a newer one is needed", schema, kSchema));
+        message("has schema {}; this program knows {}: a newer one is needed", schema, kTableSchema));
   const std::string text = metaText("study");
   ParameterStudy study;
   try {

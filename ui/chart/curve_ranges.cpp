@@ -52,11 +52,11 @@ CurveExtents curveExtents(const CurveSet& set) {
 AxisRange rangeAround(const Extent& positions, AxisScale scale, double factor) {
   if (positions.isEmpty()) return {};
   if (scale == AxisScale::Linear) {
-    constexpr double kMargin = 0.04;
+    constexpr double kRelativeMargin = 0.04;
     const auto [least, most] = positions;
     const double size = positions.size();
     const double around = most != 0 ? std::abs(most) : 1;  // where all positions are the same
-    const double margin = size > 0 ? kMargin * size : around / 2;
+    const double margin = size > 0 ? kRelativeMargin * size : around / 2;
     return {least >= 0 && least < size / 2 ? 0 : least - margin, most + margin};
   }
   // The binary value of 1e-5 may lie a little below the decade; this must not add another decade.

@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-enum Column { kHolds, kClaim, kComputed, kExpected, kWhere, kClaimColumns };
+enum ClaimColumn { kHolds, kClaim, kComputed, kExpected, kWhere, kClaimColumns };
 
 constexpr int kBesideText = 5;  // pixels of space beside a cell's text
 constexpr int kAbove = 4;       // pixels of space above and below it
