@@ -23,6 +23,9 @@ struct Ended {
 
 class InterruptionTest : public ProgramTest {
  protected:
+  /// A shell in the background ignores the signal, and its children inherit that.
+  InterruptionTest() { ::signal(SIGINT, SIG_DFL); }
+
   /// Runs the program with `arguments`, waits until `isUnderWay` says that it works, and sends the
   /// signal.
   template <class Condition>
