@@ -2,6 +2,7 @@
 // realizations.
 #pragma once
 
+#include "core/friction/ensemble.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -14,6 +15,13 @@ inline Scene sceneOfSize(std::int64_t elements, std::int64_t velocities, std::in
   scene.ensemble.realizations = realizations;
   scene.sliding.velocity = velocity;
   return scene;
+}
+
+/// Returns what `asperity curve` computes for the scene at its velocity.
+inline CurvePoint pointOfCurve(Scene scene) {
+  scene.sweep.points = 1;
+  scene.sweep.velocityFrom = scene.sweep.velocityTo = scene.sliding.velocity;
+  return frictionCurve(scene, {}).points.front();
 }
 
 }  // namespace asperity

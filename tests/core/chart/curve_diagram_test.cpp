@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-Scene smallScene() {
+Scene drawnScene() {
   return sceneOfSize(500, 17, 3);
 }
 
@@ -36,7 +36,7 @@ std::vector<CurvePoint> pointsOver(const Scene& scene) {
 }
 
 TEST(CurveDiagram, ShadesAndNamesTheRegions) {
-  const Scene scene = smallScene();
+  const Scene scene = drawnScene();
   const DiagramSheet sheet = curveSheet(scene, frictionCurve(scene).points);
   ASSERT_EQ(sheet.diagrams.size(), 1U);
   const auto& spans = sheet.diagrams.front().spans;
@@ -49,7 +49,7 @@ TEST(CurveDiagram, ShadesAndNamesTheRegions) {
 
 /// Without friction nothing is drawn, over the axis of the sweep and some decades of friction.
 TEST(CurveDiagram, AnElasticBodyHasTheAxesOfItsSweep) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.elastomer.rheology = Rheology::Elastic;
   const std::vector<CurvePoint> points = frictionCurve(scene).points;
   const Diagram diagram = curveSheet(scene, points).diagrams.front();
@@ -68,7 +68,7 @@ TEST(CurveDiagram, AnElasticBodyHasTheAxesOfItsSweep) {
 }
 
 TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
-  const Scene scene = smallScene();
+  const Scene scene = drawnScene();
   Scene stiff = scene;
   stiff.elastomer.shearModulus *= 10;
   CurveSet set;
@@ -93,7 +93,7 @@ TEST(CurveDiagram, EightCurvesHaveEightColours) {
 
 /// However few velocities the sweep has: exactly Eq. (11) at every point, and no corners.
 TEST(CurveDiagram, TheLawIsSampledFinely) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.sweep = {1e-4, 1e2, 4};
   const std::vector<CurvePoint> points = frictionCurve(scene).points;
   const auto series = curveSheet(scene, points).diagrams.front().series;
@@ -111,7 +111,7 @@ TEST(CurveDiagram, TheLawIsSampledFinely) {
 
 /// A scene whose lines differ in their slopes has another factor at each velocity.
 TEST(CurveDiagram, DimensionlessPointsAreThoseOfTheTable) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.surface.summitCorrelation = 2;
   CurveSet set;
   set.present = curveOf(scene);
@@ -127,7 +127,7 @@ TEST(CurveDiagram, DimensionlessPointsAreThoseOfTheTable) {
 /// What lies beyond the axis stands at its end.
 TEST(CurveDiagram, ADifferenceBeyondItsAxisIsATriangle) {
   CurveSet set;
-  set.present = curveOf(smallScene());
+  set.present = curveOf(drawnScene());
   set.difference = CurveDifference{nullptr, {Scheme::Linear, 2, 3}, {}, 6, 6};
   set.difference->points = {{1e-3, 1, 0.1, 0.5, 0.1}, {1e-2, 1, 0.1, 7, 0.1}};
   const Diagram below = curveSheet(set).diagrams[1];
@@ -141,7 +141,7 @@ TEST(CurveDiagram, ADifferenceBeyondItsAxisIsATriangle) {
 }
 
 TEST(CurveDiagram, DimensionlessAxesAreThoseOfEq13) {
-  const Scene scene = smallScene();
+  const Scene scene = drawnScene();
   CurveSet set;
   set.present = curveOf(scene);
   set.axes = CurveAxes::Dimensionless;
@@ -158,7 +158,7 @@ TEST(CurveDiagram, DimensionlessAxesAreThoseOfEq13) {
 }
 
 TEST(CurveDiagram, WhatHasNoDimensionlessVelocityIsNotDrawnThere) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.elastomer.rheology = Rheology::StandardSolid;
   scene.sweep.points = 5;
   CurveSet set;
@@ -170,7 +170,7 @@ TEST(CurveDiagram, WhatHasNoDimensionlessVelocityIsNotDrawnThere) {
 }
 
 TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   CurveSet set;
   set.present = curveOf(scene);
   set.difference = curveDifference(scene, {Scheme::Linear, 2, 3});
@@ -193,7 +193,7 @@ TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
 
 /// A student who predicts a curve sees those beside it, and nothing that the curve itself adds.
 TEST(CurveDiagram, AHiddenCurveLeavesThePinnedOnes) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   CurveSet set;
   set.present = curveOf(scene);
   set.pinned = {curveOf(sceneOfSize(500, 17, 1), "one line", 0)};
@@ -214,7 +214,7 @@ TEST(CurveDiagram, AHiddenCurveLeavesThePinnedOnes) {
 /// A curve over another key: the axis is that of the key, and regions, which are of friction over
 /// velocity, are not named.
 TEST(CurveDiagram, AnyNumberMayBeTheAxis) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.sweep.key = "load.normal_force";
   scene.sweep.from = 1;
   scene.sweep.to = 1e-3;
@@ -241,7 +241,7 @@ TEST(CurveDiagram, AnyNumberMayBeTheAxis) {
 }
 
 TEST(CurveDiagram, EachQuantityStandsOnTheVerticalAxis) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   CurveSet set;
   set.present = curveOf(scene);
   for (const QuantityEntry& entry : quantityEntries()) {
@@ -262,7 +262,7 @@ TEST(CurveDiagram, EachQuantityStandsOnTheVerticalAxis) {
 
 /// The foundation's contact fraction at low velocity stands beside the computed one.
 TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.comparison.theory = {Theory::GaussianFoundation, Theory::PerssonHalfSpace};
   CurveSet set;
   set.present = curveOf(scene);
@@ -278,7 +278,7 @@ TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
 
 /// Measured friction over force: rows of the scene's own velocity, and a note about the others.
 TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.sliding.velocity = 0.1;
   scene.sweep.key = "load.normal_force";
   scene.sweep.from = 1e-3;
@@ -302,7 +302,7 @@ TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
 
 /// A nominal pressure of a table becomes a force by the width, which a scene of a force has not.
 TEST(CurveDiagram, SaysWhichForceTheNominalPressureOfATableGives) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.surface.length = 0.02;
   FrictionData table{"a table", {{0.1, 0.01}, {0.2, 0.02}}};
   for (MeasuredPoint& point : table.points) point.nominalPressure = 2e4;
@@ -333,7 +333,7 @@ TEST(CurveDiagram, SaysWhichForceTheNominalPressureOfATableGives) {
 
 /// Equal steps stand in equal distances; a chosen scale and chosen ends are taken.
 TEST(CurveDiagram, TheHorizontalAxisIsAsTheSweepOrAsChosen) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   CurveSet set;
   set.present = {{}, scene, {}};
   EXPECT_EQ(curveSheet(set).diagrams.front().x.scale, AxisScale::Logarithmic);
@@ -354,7 +354,7 @@ TEST(CurveDiagram, TheHorizontalAxisIsAsTheSweepOrAsChosen) {
 
 TEST(CurveDiagram, ShiftedVelocitiesAreCalledReduced) {
   CurveSet set;
-  set.present = {{}, smallScene(), {}};
+  set.present = {{}, drawnScene(), {}};
   set.isReduced = true;
   EXPECT_THAT(curveSheet(set).diagrams.front().x.title.english(),
               testing::StartsWith("reduced sliding velocity a\u1D1B v at "));
@@ -362,7 +362,7 @@ TEST(CurveDiagram, ShiftedVelocitiesAreCalledReduced) {
 
 /// A rubber whose times are shifted by WLF, at a temperature (K).
 Scene shiftedScene(double temperature) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.elastomer.shift.kind = ShiftKind::Wlf;
   scene.elastomer.shift.c1 = 6.3;
   scene.elastomer.shift.c2 = 140;
@@ -476,7 +476,7 @@ TEST(CurveDiagram, AMeasuredTableTellsItsLoadsApart) {
 
 /// Measured friction is of deformation and interface together: so is a curve beside it.
 TEST(CurveDiagram, BesideMeasuredFrictionLocalFrictionIsShown) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.interface.frictionCoefficient = 0.3;
   CurveSet set;
   set.present = curveOf(scene);
@@ -506,7 +506,7 @@ TEST(CurveDiagram, BesideMeasuredFrictionLocalFrictionIsShown) {
 TEST(CurveDiagram, RatiosAreWithinTheirAxis) {
   for (const double ratio : {0.5, 2.75, 40.0}) {
     CurveSet set;
-    set.present = curveOf(smallScene());
+    set.present = curveOf(drawnScene());
     MeasuredCurve measured;
     for (const double velocity : {0.1, 1.0}) {
       MeasuredPoint seen;
@@ -531,7 +531,7 @@ TEST(CurveDiagram, RatiosAreWithinTheirAxis) {
 
 /// The name of a scene, such as "friction over velocity", may be wrong of another axis.
 TEST(CurveDiagram, OverAnotherKeyTheTitleSaysWhatIsShown) {
-  Scene scene = smallScene();
+  Scene scene = drawnScene();
   scene.title = "My tyre";
   CurveSet set;
   set.present = {{}, scene, {}};
@@ -543,7 +543,7 @@ TEST(CurveDiagram, OverAnotherKeyTheTitleSaysWhatIsShown) {
 }
 
 TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
-  const Scene scene = smallScene();
+  const Scene scene = drawnScene();
   CurveSet set;
   set.present = curveOf(scene);
   set.familyKey = "load.normal_force";

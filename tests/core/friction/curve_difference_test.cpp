@@ -18,7 +18,7 @@
 namespace asperity {
 namespace {
 
-Scene smallScene() {
+Scene comparedScene() {
   return sceneOfSize(500, 7, 12);
 }
 
@@ -36,7 +36,7 @@ std::vector<std::vector<double>> frictionOfLines(const Scene& scene) {
 }
 
 TEST(CurveDifference, OfASettingFromItselfIsNothing) {
-  const Scene scene = smallScene();
+  const Scene scene = comparedScene();
   const CurveDifference difference = curveDifference(scene, {Scheme::Cubic, 2, 12});
   ASSERT_EQ(difference.points.size(), 7U);
   for (const DifferencePoint& point : difference.points) {
@@ -46,7 +46,7 @@ TEST(CurveDifference, OfASettingFromItselfIsNothing) {
 }
 
 TEST(CurveDifference, IsThatOfTheTwoCurves) {
-  const Scene scene = smallScene();
+  const Scene scene = comparedScene();
   for (const CurveSetting& setting :
        {CurveSetting{Scheme::Linear, 4, 12}, {Scheme::Nodal, 1, 5}, {Scheme::Cubic, 1, 40}}) {
     const auto own = frictionCurve(scene).points;
@@ -63,7 +63,7 @@ TEST(CurveDifference, IsThatOfTheTwoCurves) {
 
 /// The stated error of the difference, from the lines themselves.
 TEST(CurveDifference, ItsErrorIsThatOfPairs) {
-  Scene scene = smallScene();
+  Scene scene = comparedScene();
   scene.accuracy.oversampling = 2;
   const CurveSetting setting{Scheme::Linear, 2, 12};
   const CurveDifference difference = curveDifference(scene, setting);
@@ -81,7 +81,7 @@ TEST(CurveDifference, ItsErrorIsThatOfPairs) {
 }
 
 TEST(CurveDifference, CommonLinesCancelMostOfTheNoise) {
-  const Scene scene = smallScene();
+  const Scene scene = comparedScene();
   const auto own = frictionCurve(scene).points;
   const CurveDifference difference = curveDifference(scene, {Scheme::Cubic, 4, 12});
   for (std::size_t i = 0; i < own.size(); ++i)
@@ -89,7 +89,7 @@ TEST(CurveDifference, CommonLinesCancelMostOfTheNoise) {
 }
 
 TEST(CurveDifference, RefinesWhileItRunsAndEndsWhenAsked) {
-  const Scene scene = smallScene();
+  const Scene scene = comparedScene();
   DifferenceOptions options;
   std::stop_source stop;
   options.stop = stop.get_token();
@@ -105,7 +105,7 @@ TEST(CurveDifference, RefinesWhileItRunsAndEndsWhenAsked) {
 }
 
 TEST(CurveDifference, HasTheSameBitsForAnyNumberOfThreads) {
-  const Scene scene = smallScene();
+  const Scene scene = comparedScene();
   DifferenceOptions one, two;
   one.threads = 1;
   two.threads = 2;
@@ -118,10 +118,10 @@ TEST(CurveDifference, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(CurveDifference, NeedsNoTargetAndSteadySliding) {
-  Scene scene = smallScene();
+  Scene scene = comparedScene();
   scene.accuracy.targetRelativeError = 0.05;
   EXPECT_THROW(curveDifference(scene, {}), InputError);
-  scene = smallScene();
+  scene = comparedScene();
   scene.sliding.kind = SlidingKind::Step;
   EXPECT_THROW(curveDifference(scene, {}), InputError);
 }

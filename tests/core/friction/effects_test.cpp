@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-Scene smallScene() {
+Scene shortScene() {
   Scene scene = sceneOfSize(200, 6, 4);
   scene.sweep = {1e-4, 10, 6};
   scene.load.normalForce = 0.02;
@@ -35,7 +35,7 @@ void expectPlanned(const Scene& scene) {
 
 TEST(Effects, WhatRunsIsWhatThePlanSays) {
   for (const auto& [name, elastomer] : allElastomers()) {
-    Scene scene = smallScene();
+    Scene scene = shortScene();
     scene.elastomer = elastomer;
     expectPlanned(scene);
     scene.elastomer.temperature = 305;
@@ -55,7 +55,7 @@ TEST(Effects, InCompleteContactThereIsNoSearch) {
   for (const auto& [name, elastomer] : allElastomers())
     for (const double force : {1e-3, 2.0, 1e5}) {
       SCOPED_TRACE(testing::Message() << name << ", " << force << " N");
-      Scene scene = smallScene();
+      Scene scene = shortScene();
       scene.elastomer = elastomer;
       scene.load.normalForce = force;
       scene.ensemble.realizations = 1;
@@ -80,7 +80,7 @@ TEST(Effects, InCompleteContactThereIsNoSearch) {
 
 TEST(Effects, EveryRheologyHasACurve) {
   for (const auto& [name, elastomer] : allElastomers()) {
-    Scene scene = smallScene();
+    Scene scene = shortScene();
     scene.elastomer = elastomer;
     CurveOptions one, many;
     one.threads = 1;
@@ -98,7 +98,7 @@ TEST(Effects, EveryRheologyHasACurve) {
 
 TEST(Effects, OfNoStrengthLeaveEveryBit) {
   const auto bytesOf = [](const Scene& scene) { return curveCsv(frictionCurve(scene).points); };
-  const Scene plain = smallScene();
+  const Scene plain = shortScene();
   Scene empty = plain;
   empty.interface = {0, 0};
   empty.surface.rollOffWavelength = plain.surface.length;
@@ -121,7 +121,7 @@ TEST(Effects, OfNoStrengthRunNoStage) {
     return ran;
   };
   for (const auto& [name, elastomer] : allElastomers()) {
-    Scene plain = smallScene();
+    Scene plain = shortScene();
     plain.elastomer = elastomer;
     Scene with = plain;
     with.interface = {0, 0};
@@ -135,7 +135,7 @@ TEST(Effects, OfNoStrengthRunNoStage) {
 }
 
 TEST(Effects, LocalFrictionStandsInItsOwnColumns) {
-  Scene scene = smallScene();
+  Scene scene = shortScene();
   const Curve without = frictionCurve(scene);
   scene.interface.frictionCoefficient = 0.25;
   const Curve with = frictionCurve(scene);
@@ -156,7 +156,7 @@ TEST(Effects, LocalFrictionStandsInItsOwnColumns) {
 
 /// Where F_N(d) jumps past the force, the element on the edge bears a part of its load.
 TEST(Effects, TheShareOfTheMarginalElementStandsInItsOwnColumn) {
-  Scene scene = smallScene();
+  Scene scene = shortScene();
   scene.ensemble.realizations = 1;
   scene.sweep.velocityFrom = 1e-2;
   scene.sweep.velocityTo = 10;
@@ -188,7 +188,7 @@ TEST(Effects, TheShareOfTheMarginalElementStandsInItsOwnColumn) {
 }
 
 TEST(Effects, WithoutAnEquilibriumThereIsNoSteadySliding) {
-  Scene scene = smallScene();
+  Scene scene = shortScene();
   scene.elastomer = prony(0, {{1e7, 1e-3}});
   EXPECT_THROW(frictionCurve(scene), InputError);
 }

@@ -23,7 +23,7 @@
 namespace asperity {
 namespace {
 
-Scene smallScene() {
+Scene mappedScene() {
   return sceneOfSize(200, 5, 4, 0.02);
 }
 
@@ -34,13 +34,6 @@ MapAxis side(const Scene& scene, const std::string& range) {
 ParameterMap mapOf(const Scene& scene, const std::string& x, const std::string& y,
                    const MapOptions& options = {}) {
   return parameterMap(scene, side(scene, x), side(scene, y), options);
-}
-
-/// What `asperity curve` computes for the scene of a cell.
-CurvePoint pointOfCurve(Scene scene) {
-  scene.sweep.points = 1;
-  scene.sweep.velocityFrom = scene.sweep.velocityTo = scene.sliding.velocity;
-  return frictionCurve(scene, {}).points.front();
 }
 
 void expectCellsOfCurves(const ParameterMap& map, double tolerance) {
@@ -67,7 +60,7 @@ void expectCellsOfCurves(const ParameterMap& map, double tolerance) {
 TEST(ParameterMap, EachCellIsThePointOfItsOwnCurve) {
   for (const auto& [name, elastomer] : allElastomers()) {
     SCOPED_TRACE(name);
-    Scene scene = smallScene();
+    Scene scene = mappedScene();
     scene.elastomer = elastomer;
     expectCellsOfCurves(mapOf(scene, "sliding.velocity=1e-4:10:5", "load.normal_force=1e-3:1:4"),
                         elementLaw(elastomer).kind() == ElementKind::Arms ? 5e-12 : 1e-12);
@@ -76,7 +69,7 @@ TEST(ParameterMap, EachCellIsThePointOfItsOwnCurve) {
 
 /// The resolution that the program chooses may differ from cell to cell.
 TEST(ParameterMap, EachCellHasTheResolutionOfItsOwnCurve) {
-  const Scene scene = smallScene();
+  const Scene scene = mappedScene();
   const ParameterMap map = mapOf(scene, "load.normal_force=1e-3:1000:6", "surface.hurst=0.2:1:3");
   std::int64_t least = 100, most = 0;
   for (std::size_t j = 0; j < 3; ++j)
@@ -90,7 +83,7 @@ TEST(ParameterMap, EachCellHasTheResolutionOfItsOwnCurve) {
 }
 
 TEST(ParameterMap, OfSurfacesLoadsAndWholeNumbers) {
-  Scene scene = smallScene();
+  Scene scene = mappedScene();
   expectCellsOfCurves(mapOf(scene, "surface.rms_height=1e-7:1e-6:3", "surface.length=0.01:0.03:3"),
                       1e-12);
   expectCellsOfCurves(mapOf(scene, "surface.elements=50:200:3", "surface.seed=1:3:3"), 1e-12);
@@ -111,7 +104,7 @@ TEST(ParameterMap, OfSurfacesLoadsAndWholeNumbers) {
 /// WLF's constants have no influence at the reference temperature, where the scene is, but on a map
 /// over temperature.
 TEST(ParameterMap, OfParametersThatMatterElsewhereOnTheMap) {
-  Scene scene = smallScene();
+  Scene scene = mappedScene();
   scene.elastomer.shift.kind = ShiftKind::Wlf;
   scene.elastomer.temperature = scene.elastomer.shift.referenceTemperature = 300;
   const ParameterRange x = parseRangeOption("--x", "elastomer.temperature=290:310:3");
@@ -123,7 +116,7 @@ TEST(ParameterMap, OfParametersThatMatterElsewhereOnTheMap) {
 }
 
 TEST(ParameterMap, OfTheSeparateElements) {
-  Scene scene = smallScene();
+  Scene scene = mappedScene();
   scene.accuracy.scheme = Scheme::Nodal;
   expectCellsOfCurves(mapOf(scene, "sliding.velocity=1e-2:10:5", "load.normal_force=1e-2:1:3"),
                       1e-9);
@@ -132,7 +125,7 @@ TEST(ParameterMap, OfTheSeparateElements) {
 /// z = h zeta, time in tau: friction over v and tau depends on v tau alone.
 TEST(ParameterMap, OverVelocityAndTimeDependsOnTheirProduct) {
   const ParameterMap map =
-      mapOf(smallScene(), "sliding.velocity=1e-4:1:9", "elastomer.relaxation_time=1e-5:0.1:9");
+      mapOf(mappedScene(), "sliding.velocity=1e-4:1:9", "elastomer.relaxation_time=1e-5:0.1:9");
   EXPECT_EQ(map.computed, 17U);
   for (std::size_t j = 1; j < 9; ++j)
     for (std::size_t i = 0; i + 1 < 9; ++i) EXPECT_EQ(map.at(i, j).mu, map.at(i + 1, j - 1).mu);
@@ -140,7 +133,7 @@ TEST(ParameterMap, OverVelocityAndTimeDependsOnTheirProduct) {
 
 TEST(ParameterMap, OverForceAndModulusDependsOnTheirRatio) {
   const ParameterMap map =
-      mapOf(smallScene(), "load.normal_force=1e-3:10:9", "elastomer.shear_modulus=1e6:1e10:9");
+      mapOf(mappedScene(), "load.normal_force=1e-3:10:9", "elastomer.shear_modulus=1e6:1e10:9");
   EXPECT_EQ(map.computed, 17U);
   for (std::size_t j = 1; j < 9; ++j)
     for (std::size_t i = 1; i < 9; ++i)
@@ -153,7 +146,7 @@ TEST(ParameterMap, AnyNumberOfThreadsGivesTheSameBytes) {
     MapOptions options;
     options.threads = threads;
     const std::string text = mapCsv(
-        mapOf(smallScene(), "sliding.velocity=1e-4:10:40", "load.normal_force=1e-3:1:30", options),
+        mapOf(mappedScene(), "sliding.velocity=1e-4:10:40", "load.normal_force=1e-3:1:30", options),
         "exponent");
     if (first.empty()) first = text;
     EXPECT_EQ(text, first);
@@ -168,7 +161,7 @@ TEST(ParameterMap, PreviewsComeFromCoarseToFine) {
     EXPECT_FALSE(stage.isFinal);
   };
   const ParameterMap map =
-      mapOf(smallScene(), "sliding.velocity=1e-4:10:20", "load.normal_force=1e-3:1:18", options);
+      mapOf(mappedScene(), "sliding.velocity=1e-4:10:20", "load.normal_force=1e-3:1:18", options);
   EXPECT_EQ(stages, (std::vector<std::pair<std::size_t, std::int64_t>>{{256, 1}, {360, 1}}));
   EXPECT_TRUE(map.isFinal);
   EXPECT_EQ(map.points.front().realizations, 4);
@@ -199,7 +192,7 @@ TEST(ParameterMap, StopsSoon) {
 /// c v^k the parabola through three logarithms is exact.
 TEST(ParameterMap, TheExponentIsThatOfAPower) {
   ParameterMap map;
-  map.scene = smallScene();
+  map.scene = mappedScene();
   map.x = side(map.scene, "sliding.velocity=1e-3:1:7");
   map.y = side(map.scene, "load.normal_force=1e-3:1:2");
   for (const double power : {1.0, -0.37})
@@ -220,7 +213,7 @@ TEST(ParameterMap, TheExponentIsThatOfAPower) {
 }
 
 TEST(ParameterMap, RefusesWhatMakesNoSense) {
-  const Scene scene = smallScene();
+  const Scene scene = mappedScene();
   const auto says = [&](const std::string& range) {
     return errorFrom([&] { side(scene, range); });
   };
@@ -251,7 +244,7 @@ TEST(ParameterMap, RefusesWhatMakesNoSense) {
 }
 
 TEST(ParameterMap, WholeNumbersAreRoundedAndDownwardsIsDownwards) {
-  const Scene scene = smallScene();
+  const Scene scene = mappedScene();
   EXPECT_EQ(side(scene, "surface.seed=1:3:9:linear").values, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(side(scene, "surface.hurst=1:0:3").values, (std::vector<double>{1, 0.5, 0}));
   const ParameterMap down = mapOf(scene, "sliding.velocity=1:1e-3:4", "surface.hurst=0.3:0.9:2");
@@ -265,10 +258,10 @@ TEST(ParameterMap, WholeNumbersAreRoundedAndDownwardsIsDownwards) {
 }
 
 TEST(ParameterMap, SaysWhereAParameterDoesNothing) {
-  Scene scene = smallScene();
+  Scene scene = mappedScene();
   scene.elastomer.rheology = Rheology::Elastic;
   const ParameterMap map = mapOf(scene, "sliding.velocity=1e-3:1:3", "load.normal_force=1e-3:1:3");
-  EXPECT_TRUE(isWithoutEffect(mapOf(smallScene(), "elastomer.relaxation_time=1e-3:1e-2:3",
+  EXPECT_TRUE(isWithoutEffect(mapOf(mappedScene(), "elastomer.relaxation_time=1e-3:1e-2:3",
                                     "surface.seed=1:2:2"),
                               false) == false);
   EXPECT_TRUE(isWithoutEffect(map, true));
@@ -278,7 +271,7 @@ TEST(ParameterMap, SaysWhereAParameterDoesNothing) {
 /// their whole names.
 TEST(ParameterMap, TheTableHasKnownColumns) {
   const ParameterMap map =
-      mapOf(smallScene(), "sliding.velocity=1e-3:1:3", "load.normal_force=1e-3:1:2");
+      mapOf(mappedScene(), "sliding.velocity=1e-3:1:3", "load.normal_force=1e-3:1:2");
   const std::string csv = mapCsv(map, "exponent");
   const std::string header = csv.substr(0, csv.find('\n'));
   EXPECT_TRUE(header.starts_with("velocity,normal_force,mu,mu_standard_error,")) << header;
@@ -305,7 +298,7 @@ TEST(ParameterMap, TheTableHasKnownColumns) {
 /// a hundredth of the value.
 TEST(ParameterMap, APlateauHasContours) {
   ParameterMap map =
-      mapOf(smallScene(), "sliding.velocity=1e-4:1e4:41", "load.normal_force=1e-3:1:5");
+      mapOf(mappedScene(), "sliding.velocity=1e-4:1e4:41", "load.normal_force=1e-3:1:5");
   const auto fill = [&](auto&& mu, double noise = 1e-4) {
     for (std::size_t i = 0; i < map.points.size(); ++i) {
       map.points[i].mu = mu(static_cast<double>(i % 41) / 40);

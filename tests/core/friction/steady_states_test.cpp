@@ -18,19 +18,12 @@
 namespace asperity {
 namespace {
 
-Scene smallScene() {
+Scene sceneOfStates() {
   return sceneOfSize(300, 5, 6, 0.02);
 }
 
 void set(Scene& scene, const char* key, double value) {
   setValue(*findParameter(key), scene, value);
-}
-
-/// The point of the scene's own curve at its velocity.
-CurvePoint pointOfCurve(Scene scene) {
-  scene.sweep.points = 1;
-  scene.sweep.velocityFrom = scene.sweep.velocityTo = scene.sliding.velocity;
-  return frictionCurve(scene, {}).points.front();
 }
 
 void expectSame(const CurvePoint& a, const CurvePoint& b, double tolerance,
@@ -85,7 +78,7 @@ std::vector<Scene> statesOf(const Scene& base) {
 /// The friction found may differ by what the force balance leaves, which is 1e-12 and smaller.
 TEST(SteadyStates, EachIsThePointOfItsOwnCurve) {
   for (const auto& [name, elastomer] : allElastomers()) {
-    Scene base = smallScene();
+    Scene base = sceneOfStates();
     base.elastomer = elastomer;
     base.interface.frictionCoefficient = 0.1;
     const std::vector<Scene> states = statesOf(base);
@@ -97,7 +90,7 @@ TEST(SteadyStates, EachIsThePointOfItsOwnCurve) {
 }
 
 TEST(SteadyStates, AtAnIndentationToo) {
-  Scene base = smallScene();
+  Scene base = sceneOfStates();
   base.load.kind = LoadKind::Indentation;
   std::vector<Scene> states;
   for (const double depth : {1e-7, 1e-6, 3e-6}) {
@@ -118,7 +111,7 @@ TEST(SteadyStates, VelocityAndRelaxationTimeAreOneParameter) {
   const int n = 9;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      states.push_back(smallScene());
+      states.push_back(sceneOfStates());
       states.back().sliding.velocity = 1e-3 * std::pow(10, i / 4.0);
       states.back().elastomer.relaxationTime = 1e-4 * std::pow(10, j / 4.0);
     }
@@ -136,7 +129,7 @@ TEST(SteadyStates, ForceAndModulusAreOneParameter) {
   const int n = 9;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      states.push_back(smallScene());
+      states.push_back(sceneOfStates());
       states.back().load.normalForce = 1e-3 * std::pow(10, i / 4.0);
       states.back().elastomer.shearModulus = 1e6 * std::pow(10, j / 4.0);
     }
@@ -146,7 +139,7 @@ TEST(SteadyStates, ForceAndModulusAreOneParameter) {
 
 /// A real rubber's moduli scale together, its times with temperature.
 TEST(SteadyStates, ArmsShareWhereTheyScaleTogether) {
-  Scene base = smallScene();
+  Scene base = sceneOfStates();
   base.elastomer = treadCompound();
   std::vector<Scene> states{base, base, base};
   states[1].elastomer.equilibriumModulus *= 2;
@@ -163,7 +156,7 @@ TEST(SteadyStates, ArmsShareWhereTheyScaleTogether) {
 }
 
 TEST(SteadyStates, AnyNumberOfThreadsGivesTheSameBytes) {
-  const std::vector<Scene> states = statesOf(smallScene());
+  const std::vector<Scene> states = statesOf(sceneOfStates());
   std::string first;
   for (const int threads : {1, 2, 5}) {
     StateOptions options;
@@ -175,7 +168,7 @@ TEST(SteadyStates, AnyNumberOfThreadsGivesTheSameBytes) {
 }
 
 TEST(SteadyStates, KeepsTheFrictionOfEachLine) {
-  const std::vector<Scene> states{smallScene()};
+  const std::vector<Scene> states{sceneOfStates()};
   StateOptions options;
   options.keepsLines = true;
   const SteadyStates found = slideStates(states, options);
@@ -190,7 +183,7 @@ TEST(SteadyStates, StopsWithoutAnAnswer) {
   source.request_stop();
   StateOptions options;
   options.stop = source.get_token();
-  const std::vector<Scene> states{smallScene()};
+  const std::vector<Scene> states{sceneOfStates()};
   EXPECT_FALSE(slideStates(states, options).isComplete);
 }
 

@@ -12,6 +12,7 @@
 #include "core/friction/ensemble.h"
 #include "core/paper/figure.h"
 #include "core/paper/figure_parts.h"
+#include "tests/core/paper/claim_of.h"
 #include "tests/core/small_scene.h"
 
 namespace asperity {
@@ -22,12 +23,6 @@ using testing::HasSubstr;
 FigureOptions optionsOf(std::int64_t realizations, std::vector<std::string> assignments) {
   FigureOptions options{.realizations = realizations, .assignments = std::move(assignments)};
   return options;
-}
-
-const Claim& claimOf(const Figure& figure, std::string_view id) {
-  const auto found = std::ranges::find(figure.claims, id, &Claim::id);
-  if (found == figure.claims.end()) throw std::runtime_error("no such claim");
-  return *found;
 }
 
 class EachFigureOfThePaper : public testing::TestWithParam<FigureName> {};

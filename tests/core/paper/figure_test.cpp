@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "core/base/input_error.h"
+#include "tests/core/paper/claim_of.h"
 
 namespace asperity {
 namespace {
@@ -110,13 +111,6 @@ INSTANTIATE_TEST_SUITE_P(Figures, EachFigure, testing::ValuesIn(namesFrom(Figure
                          nameOf);
 INSTANTIATE_TEST_SUITE_P(Figures, EachLongFigure,
                          testing::ValuesIn(namesFrom(FigureName::Velocity)), nameOf);
-
-const Claim& claimOf(const Figure& figure, std::string_view id) {
-  const auto found = std::find_if(figure.claims.begin(), figure.claims.end(),
-                                  [&](const Claim& claim) { return claim.id == id; });
-  if (found == figure.claims.end()) throw std::runtime_error("no such claim");
-  return *found;
-}
 
 /// Region IV: the constant level belongs to the literal rule.
 TEST(Figures, ConstantLevelHoldsForTheLiteralRuleOnly) {

@@ -23,7 +23,7 @@ double sum(const DataTable& table, const std::string& column) {
   return total;
 }
 
-Frame frameOf(const std::function<void(Scene&)>& change = {}) {
+Frame frameForTables(const std::function<void(Scene&)>& change = {}) {
   auto scene = std::make_shared<Scene>();
   scene->surface.elements = 500;
   scene->load.normalForce = 0.02;
@@ -32,7 +32,7 @@ Frame frameOf(const std::function<void(Scene&)>& change = {}) {
 }
 
 TEST(ContactTables, ContactsAndGapsCoverThePeriodOnce) {
-  const Frame frame = frameOf();
+  const Frame frame = frameForTables();
   const DataTable contacts = contactsTable(frame), gaps = gapsTable(frame);
   EXPECT_GT(contacts.rows.size(), 3U);
   EXPECT_EQ(contacts.rows.size(), gaps.rows.size());  // in turns on a periodic line
@@ -42,7 +42,7 @@ TEST(ContactTables, ContactsAndGapsCoverThePeriodOnce) {
 
 /// F_N = sum p dx and F_x = -sum p z' dx = -mu F_N towards +x, Eqs. (3) and (4).
 TEST(ContactTables, ForcesOfContactsAddUpToThoseOfTheLine) {
-  const Frame frame = frameOf();
+  const Frame frame = frameForTables();
   const DataTable contacts = contactsTable(frame), shape = shapeTable(frame);
   EXPECT_NEAR(sum(contacts, "normal_force"), sum(shape, "line_load") * frame.spacing, 1e-15);
   EXPECT_NEAR(sum(contacts, "normal_force") / frame.normalForce, 1, 0.01);
@@ -56,9 +56,9 @@ TEST(ContactTables, ForcesOfContactsAddUpToThoseOfTheLine) {
 
 /// At 30 m/s contacts are shorter than an element: points between the elements find their load.
 TEST(ContactTables, PointsThatMissTheLoadAreNamed) {
-  EXPECT_FALSE(coarsePointsNote(frameOf()));
+  EXPECT_FALSE(coarsePointsNote(frameForTables()));
   const auto noteAt = [](std::int64_t oversampling) {
-    return coarsePointsNote(frameOf([oversampling](Scene& scene) {
+    return coarsePointsNote(frameForTables([oversampling](Scene& scene) {
       scene.surface.elements = 5000;
       scene.sliding.velocity = 30;
       scene.load.normalForce = 0.0034;
@@ -70,7 +70,7 @@ TEST(ContactTables, PointsThatMissTheLoadAreNamed) {
 }
 
 TEST(ContactTables, GapsAreTheDistanceBetweenLineAndSurface) {
-  const Frame frame = frameOf();
+  const Frame frame = frameForTables();
   const DataTable shape = shapeTable(frame), gaps = gapsTable(frame);
   for (std::size_t i = 0; i < shape.rows.size(); ++i) {
     const double gap = number(shape, i, "gap");
@@ -86,7 +86,7 @@ TEST(ContactTables, GapsAreTheDistanceBetweenLineAndSurface) {
 /// A point in contact came under the edge ahead a time way / v ago; the times of one contact grow
 /// against the direction of sliding.
 TEST(ContactTables, TimeInContactIsTheWayToTheEdgeAhead) {
-  const Frame frame = frameOf();
+  const Frame frame = frameForTables();
   const std::vector<double> times = timeInContact(frame);
   for (const ContactInterval& contact : findIntervals(frame, false)) {
     const std::size_t n = times.size(), last = (contact.first + contact.points - 1) % n;
@@ -100,7 +100,7 @@ TEST(ContactTables, TimeInContactIsTheWayToTheEdgeAhead) {
 TEST(ContactTables, PowerIsBalanced) {
   for (const double friction : {0.0, 0.3}) {
     const Frame frame =
-        frameOf([&](Scene& scene) { scene.interface.frictionCoefficient = friction; });
+        frameForTables([&](Scene& scene) { scene.interface.frictionCoefficient = friction; });
     const DataTable power = powerTable(frame);
     const double in = number(power, 0, "power_in");
     EXPECT_NEAR(number(power, 0, "power_dissipated") / in, 1, 0.02);
@@ -116,7 +116,7 @@ TEST(ContactTables, PowerIsBalanced) {
 /// The sum over points misses a part of the integral, and the note says how much is there.
 TEST(ContactTables, PointsThatMissPowerAreNamed) {
   const auto isNamed = [](Scheme scheme, std::int64_t oversampling, Rheology rheology) {
-    const Frame frame = frameOf([&](Scene& scene) {
+    const Frame frame = frameForTables([&](Scene& scene) {
       scene.surface.elements = 30;
       scene.load.normalForce = 0.0034;
       scene.accuracy.scheme = scheme;
@@ -140,11 +140,11 @@ TEST(ContactTables, PointsThatMissPowerAreNamed) {
     EXPECT_FALSE(isNamed(Scheme::Cubic, 64, rheology));
   }
   EXPECT_TRUE(isNamed(Scheme::Nodal, 1, Rheology::Kelvin));
-  EXPECT_FALSE(coarsePowerNote(frameOf([](Scene& scene) { scene.sliding.velocity = 0; })));
+  EXPECT_FALSE(coarsePowerNote(frameForTables([](Scene& scene) { scene.sliding.velocity = 0; })));
 }
 
 TEST(ContactTables, CompleteContactIsOneStretchWithoutAnEdge) {
-  const Frame frame = frameOf([](Scene& scene) {
+  const Frame frame = frameForTables([](Scene& scene) {
     scene.surface.kind = SurfaceKind::Sine;
     scene.load.normalForce = 100;
     scene.sliding.velocity = 1e-3;

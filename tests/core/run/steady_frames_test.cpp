@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-std::shared_ptr<const Scene> someScene() {
+std::shared_ptr<const Scene> steadyScene() {
   auto scene = std::make_shared<Scene>();
   scene->surface.elements = 200;
   scene->load.normalForce = 0.02;
@@ -27,7 +27,7 @@ TEST(SteadyFrames, PressuresOfPointsCountOnlyWhereTheyBearTheLoad) {
 }
 
 TEST(SteadyFrames, FramesDivideOnePeriod) {
-  const SteadyFrames frames(someScene());
+  const SteadyFrames frames(steadyScene());
   const Frame first = frames.frame(0, 8, 25), third = frames.frame(2, 8, 25);
   const std::size_t n = first.lineHeight.size(), shift = n / 4;
   for (std::size_t i = 0; i < n; ++i) {
@@ -41,7 +41,7 @@ TEST(SteadyFrames, FramesDivideOnePeriod) {
 
 TEST(SteadyFrames, NothingReachesThroughTheLineAndPressureIsInContactOnly) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    auto scene = std::make_shared<Scene>(*someScene());
+    auto scene = std::make_shared<Scene>(*steadyScene());
     scene->accuracy.scheme = scheme;
     const Frame frame = SteadyFrames(scene).frame(0, 1, 25);
     for (std::size_t i = 0; i < frame.lineHeight.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(SteadyFrames, PressureIsThatOfTheDepthAndTheSlopeShown) {
   for (const SurfaceKind kind :
        {SurfaceKind::SelfAffine, SurfaceKind::Wedge, SurfaceKind::Parabola})
     for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-      auto scene = std::make_shared<Scene>(*someScene());
+      auto scene = std::make_shared<Scene>(*steadyScene());
       scene->surface.kind = kind;
       scene->accuracy.scheme = scheme;
       const Frame frame = SteadyFrames(scene, {true, false, true}).frame(3, 8, 25);
@@ -83,7 +83,7 @@ TEST(SteadyFrames, PressureIsThatOfTheDepthAndTheSlopeShown) {
 /// Power is dissipated in the elastomer and, in scenes that have local friction, in the interface.
 TEST(SteadyFrames, PowerIsThatOfTheWholeFriction) {
   for (const auto& [coefficient, shear] : {std::pair{0.0, 0.0}, {0.3, 0.0}, {0.0, 2.0}}) {
-    auto scene = std::make_shared<Scene>(*someScene());
+    auto scene = std::make_shared<Scene>(*steadyScene());
     scene->interface.frictionCoefficient = coefficient;
     scene->interface.shearStress = shear;
     const Frame frame = SteadyFrames(scene, {false, false, true}).frame(0, 1, 25);
@@ -97,8 +97,8 @@ TEST(SteadyFrames, PowerIsThatOfTheWholeFriction) {
 
 TEST(SteadyFrames, ANarrowViewIsMovedAsFinelyAsAWideOne) {
   const double seen = 1e-2 * 0.02;
-  const Frame wide = SteadyFrames(someScene()).frame(0, 1, 25);
-  const SteadyFrames close(someScene(), {}, seen);
+  const Frame wide = SteadyFrames(steadyScene()).frame(0, 1, 25);
+  const SteadyFrames close(steadyScene(), {}, seen);
   EXPECT_LT(close.frame(0, 1, 25).spacing, 1e-3 * seen);
   EXPECT_LT(wide.spacing, 1e-3 * wide.length);
   // The same line at the same places.
@@ -110,7 +110,7 @@ TEST(SteadyFrames, ANarrowViewIsMovedAsFinelyAsAWideOne) {
 }
 
 TEST(SteadyFrames, AtRestNothingMoves) {
-  auto scene = std::make_shared<Scene>(*someScene());
+  auto scene = std::make_shared<Scene>(*steadyScene());
   scene->sliding.velocity = 0;
   const SteadyFrames frames(scene);
   EXPECT_EQ(frames.frame(3, 8, 25).time, 0);
@@ -118,7 +118,7 @@ TEST(SteadyFrames, AtRestNothingMoves) {
 }
 
 TEST(SteadyFrames, ASceneThatCannotRunIsRefused) {
-  auto scene = std::make_shared<Scene>(*someScene());
+  auto scene = std::make_shared<Scene>(*steadyScene());
   scene->surface.kind = SurfaceKind::Profile;
   scene->surface.file = "none.csv";
   EXPECT_THROW(SteadyFrames{scene}, InputError);

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string rangeError(const std::string& text) {
   return errorFrom([&] {
     const ParameterRange range = parseRangeOption("--over", text);
     checkRange(range, Scene{});
@@ -50,26 +50,26 @@ TEST(Range, WholeNumbersAreRoundedWithoutRepeats) {
 }
 
 TEST(Range, ALinearKeyMayTouchZeroAndALogarithmicOneSaysSo) {
-  EXPECT_EQ(refusal("interface.friction_coefficient=0:1:3"), "no error");
-  EXPECT_EQ(refusal("interface.friction_coefficient=0:1:3:log"),
+  EXPECT_EQ(rangeError("interface.friction_coefficient=0:1:3"), "no error");
+  EXPECT_EQ(rangeError("interface.friction_coefficient=0:1:3:log"),
             "interface.friction_coefficient: a logarithmic range needs ends above 0; 0 is not");
 }
 
 TEST(Range, BadTextIsOneLineWithItsKey) {
-  EXPECT_EQ(refusal("load.normal_force"),
+  EXPECT_EQ(rangeError("load.normal_force"),
             "--over: 'load.normal_force' is not KEY=FROM:TO:N, such as "
             "load.normal_force=0.001:10:41");
-  EXPECT_EQ(refusal("load.normal_forc=1:2:3"),
+  EXPECT_EQ(rangeError("load.normal_forc=1:2:3"),
             "load.normal_forc: unknown key; the nearest known one is load.normal_force");
-  EXPECT_EQ(refusal("surface.kind=1:2:3"), "surface.kind: is not a number, so it has no range");
-  EXPECT_EQ(refusal("load.depth=1e-6:1e-5:3"),
+  EXPECT_EQ(rangeError("surface.kind=1:2:3"), "surface.kind: is not a number, so it has no range");
+  EXPECT_EQ(rangeError("load.depth=1e-6:1e-5:3"),
             "load.depth: has no meaning in this scene, so nothing depends on it");
-  EXPECT_EQ(refusal("surface.hurst=0.5:1.4:3"), "surface.hurst: 1.4 is outside 0 to 1");
-  EXPECT_EQ(refusal("load.normal_force=1:2mm:3"),
+  EXPECT_EQ(rangeError("surface.hurst=0.5:1.4:3"), "surface.hurst: 1.4 is outside 0 to 1");
+  EXPECT_EQ(rangeError("load.normal_force=1:2mm:3"),
             "load.normal_force: 2mm is a length; expected a force, such as 3.4 mN");
   for (const char* text : {"1:2", "1:2:3:4", "1:2:x", "1:2:3:lin", "1:2:3:log:log", "1:2:2.5"})
-    EXPECT_NE(refusal(std::string("load.normal_force=") + text), "no error") << text;
-  EXPECT_EQ(refusal("load.normal_force=1:2:0"),
+    EXPECT_NE(rangeError(std::string("load.normal_force=") + text), "no error") << text;
+  EXPECT_EQ(rangeError("load.normal_force=1:2:0"),
             "load.normal_force: 0 points are outside 1 to 100000");
 }
 
