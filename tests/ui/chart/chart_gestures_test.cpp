@@ -22,7 +22,7 @@
 namespace asperity {
 namespace {
 
-DiagramSheet sampleSheet() {
+DiagramSheet gestureSheet() {
   Diagram diagram;
   diagram.x = {"x", "", AxisScale::Logarithmic, 1e-3, 1e3};
   diagram.y = {"y", "", AxisScale::Logarithmic, 1e-4, 1};
@@ -51,7 +51,7 @@ class ChartGestures : public testing::Test {
  protected:
   ChartGestures() : view_(std::make_unique<ChartView>()) {
     view_->resize(800, 400);
-    view_->setSheet(sampleSheet());
+    view_->setSheet(gestureSheet());
     view_->setDescribe([](int id, int row) { return QString("%1:%2").arg(id).arg(row); });
     view_->show();
     QTest::qWait(1);  // the layout is made with the first events
@@ -125,7 +125,7 @@ TEST_F(ChartGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
   const QPoint from = at(3, 0.3);
   QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
   QTest::mouseMove(view_.get(), from - QPoint(60, 0));
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.x.to = 10;
   view_->setSheet(sheet);
@@ -135,7 +135,7 @@ TEST_F(ChartGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
 }
 
 TEST_F(ChartGestures, AMotionsMarkerIsNotDragged) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.marker->isFixed = true;
   diagram.marker->trace = {{0.01, 0.01}, {1, 0.1}, {3, 0.05}};
@@ -205,7 +205,7 @@ TEST_F(ChartGestures, AReadingDoesNotCoverItsNeighbours) {
 
 TEST_F(ChartGestures, AReadingOutlivesARefinementAndFollowsIt) {
   QTest::mouseMove(view_.get(), at(0.1, 0.02));
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.series[1].points[1].row = 33;
   view_->setSheet(sheet);
@@ -228,7 +228,7 @@ TEST_F(ChartGestures, AClickTakesThePointUnderIt) {
 }
 
 TEST_F(ChartGestures, APointUnderTheMarkerCanBeTakenToo) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.marker->x = 1;
   view_->setSheet(sheet);
@@ -275,7 +275,7 @@ TEST_F(ChartGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
 class NamesOfShades : public ChartGestures {
  protected:
   void show(std::vector<DiagramPoint> points) {
-    DiagramSheet sheet = sampleSheet();
+    DiagramSheet sheet = gestureSheet();
     Diagram& diagram = sheet.diagrams[0];
     diagram.marker.reset();
     diagram.spans.clear();
@@ -361,7 +361,7 @@ TEST_F(ChartGestures, PanningNeverEndsInEmptiness) {
 
 TEST_F(ChartGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
   view_->setZoom(VisibleRange{{-3, -2}, {-4, -3}});
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.x.from = 1e5;
   diagram.x.to = 1e9;
@@ -372,7 +372,7 @@ TEST_F(ChartGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
 TEST_F(ChartGestures, AZoomedViewStaysWhileTheCurveIsRefined) {
   view_->zoom(0.5);
   const VisibleRange window = view_->visibleRange();
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.y.from = 1e-5;
   view_->setSheet(sheet);
@@ -397,7 +397,7 @@ TEST_F(ChartGestures, ClickingItsEntryUnpinsACurve) {
 TEST_F(ChartGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
   auto* legend = view_->findChild<ChartLegend*>("chartLegend");
   const int one = legend->height();
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   for (int id = 10; id < 40; ++id) {
     diagram.series.push_back(diagram.series[0]);
@@ -413,7 +413,7 @@ TEST_F(ChartGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
 
 /// Rows that come and go with pinned curves leave room for the axis' labels and title below.
 TEST_F(ChartGestures, TheChartGivesTheLegendItsRoomAtOnce) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   for (int id = 10; id < 20; ++id) {
     diagram.series.push_back(diagram.series[0]);
@@ -425,14 +425,14 @@ TEST_F(ChartGestures, TheChartGivesTheLegendItsRoomAtOnce) {
   view_->setSheet(sheet);
   QTest::qWait(1);
   EXPECT_LE(bottom() + 2 * line, view_->height());
-  view_->setSheet(sampleSheet());
+  view_->setSheet(gestureSheet());
   QTest::qWait(1);
   EXPECT_NEAR(bottom(), before, 1);
 }
 
 /// A name that says in much what a curve differs is broken into lines; its tooltip has all of it.
 TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   QStringList parts;
   for (int i = 0; i < 14; ++i) parts += QStringLiteral("parameter %1 = %2 MPa").arg(i).arg(10 * i);
@@ -455,7 +455,7 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
 
 /// Lists have semicolons in a language with decimal commas.
 TEST_F(ChartGestures, LongNamesAreBrokenAndShortenedAtSemicolonsToo) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   QStringList parts;
   for (int i = 0; i < 5; ++i) parts += QStringLiteral("Parameter %1 = %2,5 MPa").arg(i).arg(10 * i);
@@ -478,7 +478,7 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndShortenedAtSemicolonsToo) {
 
 /// Names of curves that differ in much are cut before an entry is left out.
 TEST_F(ChartGestures, LongNamesLeaveNoEntryOut) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   QStringList parts;
   for (int i = 0; i < 14; ++i) parts += QStringLiteral("parameter %1 = %2 MPa").arg(i).arg(10 * i);
@@ -504,7 +504,7 @@ TEST_F(ChartGestures, LongNamesLeaveNoEntryOut) {
 /// In a low view the chart keeps most of the height: the legend has the first parts of long names,
 /// and the whole ones in tooltips. A high view has the whole names.
 TEST_F(ChartGestures, TheLegendOfALowChartHasShorterNames) {
-  DiagramSheet sheet = sampleSheet();
+  DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.series[0].id = kPresentCurve;
   diagram.series[0].name = "mean of 200 lines ± standard error";

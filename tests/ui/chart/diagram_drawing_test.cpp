@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 bool same(const Rgba& a, const Rgba& b) {
   return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
@@ -104,7 +104,7 @@ TEST(DiagramDrawing, PointsLieWhereALinearAxisSays) {
 
 TEST(DiagramDrawing, WhatHasNoPlaceBreaksTheLine) {
   DiagramSheet sheet =
-      unnamed(sheetOf({{1, 1}, {2, 2}, {3, 0}, {4, 2}, {5, kNaN}, {6, 3}, {7, 1}}));
+      unnamed(sheetOf({{1, 1}, {2, 2}, {3, 0}, {4, 2}, {5, kMissing}, {6, 3}, {7, 1}}));
   sheet.diagrams[0].series[0].mark = SeriesMark::None;
   const Rgba colour = seriesColour(0, lightTheme());
   EXPECT_EQ(linesOf(composeDiagrams(sheet, {}), colour).size(), 2U);  // broken at NaN alone

@@ -17,17 +17,17 @@
 namespace asperity {
 namespace {
 
-struct Size {
+struct PictureSize {
   int width, height;
   float scale;
 };
-constexpr Size kSizes[] = {{320, 200, 1},   {320, 240, 1},  {320, 568, 1},   {400, 300, 1},
-                           {480, 854, 1},   {640, 360, 1},  {800, 600, 1},   {1000, 600, 1.25F},
-                           {1280, 720, 1},  {1280, 720, 2}, {1920, 1080, 1}, {2560, 1440, 2},
-                           {4000, 2250, 1}, {4000, 600, 1}, {600, 2000, 1}};
+constexpr PictureSize kPictureSizes[] = {
+    {320, 200, 1},   {320, 240, 1},   {320, 568, 1},      {400, 300, 1},  {480, 854, 1},
+    {640, 360, 1},   {800, 600, 1},   {1000, 600, 1.25F}, {1280, 720, 1}, {1280, 720, 2},
+    {1920, 1080, 1}, {2560, 1440, 2}, {4000, 2250, 1},    {4000, 600, 1}, {600, 2000, 1}};
 
 void expectTidyTexts(const Frame& frame, const ContactView& view, const char* what) {
-  for (const Size& size : kSizes) {
+  for (const PictureSize& size : kPictureSizes) {
     ContactPictureOptions options;
     options.width = size.width;
     options.height = size.height;
@@ -292,7 +292,7 @@ TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
   options.points = 300;
   const auto frame = sampleFrame(options);
   for (const double pressure : {0.05, 1.0, 60.0, 150.0, 200.0, 3333.0, 8e7}) {
-    for (const Size& size : kSizes) {
+    for (const PictureSize& size : kPictureSizes) {
       ContactPictureOptions picture;
       picture.width = size.width;
       picture.height = size.height;
@@ -330,13 +330,13 @@ TEST(ContactTexts, LowPicturesKeepTheirLegend) {
   frame.sinceContact.assign(frame.pressure.size(), 1e-3);
   for (const ContactOverlay overlay :
        {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power})
-    for (const Size& size : {Size{960, 330, 1},
-                             {960, 260, 1},
-                             {960, 200, 1},
-                             {640, 200, 1},
-                             {480, 170, 1},
-                             {1280, 300, 1.6F},
-                             {1280, 420, 1.6F}}) {
+    for (const PictureSize& size : {PictureSize{960, 330, 1},
+                                    {960, 260, 1},
+                                    {960, 200, 1},
+                                    {640, 200, 1},
+                                    {480, 170, 1},
+                                    {1280, 300, 1.6F},
+                                    {1280, 420, 1.6F}}) {
       ContactPictureOptions options;
       options.width = size.width;
       options.height = size.height;
@@ -500,7 +500,7 @@ TEST(ContactTexts, NoColoursDoNotMeanNoContact) {
 }
 
 // From 300 pixels on, at the densities of a screen and of a journal (86 mm at 300 per inch).
-constexpr Size kNarrow[] = {
+constexpr PictureSize kNarrow[] = {
     {300, 220, 1},       {320, 240, 1},       {400, 260, 1},        {500, 350, 1},  {500, 170, 1},
     {1016, 500, 3.125F}, {1016, 760, 3.125F}, {1016, 1200, 3.125F}, {1280, 200, 1}, {1280, 720, 1}};
 
@@ -511,7 +511,7 @@ TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
     sample.points = 300;
     sample.depth = depth;
     const Frame frame = *sampleFrame(sample);
-    for (const Size& size : kNarrow) {
+    for (const PictureSize& size : kNarrow) {
       ContactPictureOptions options;
       options.width = size.width;
       options.height = size.height;
@@ -551,7 +551,7 @@ TEST(ContactTexts, NoLabelIsCrossedByTheLine) {
     sample.points = 500;
     sample.distance = slid * 0.0025;
     const Frame frame = *sampleFrame(sample);
-    for (const Size& size : kNarrow) {
+    for (const PictureSize& size : kNarrow) {
       ContactPictureOptions options;
       options.width = size.width;
       options.height = size.height;
@@ -591,7 +591,7 @@ TEST(ContactTexts, LabelsStayWhileTheViewMovesByAPixel) {
     return found;
   };
   int kept = 0, moved = 0, movedWithoutMemory = 0;
-  for (const Size& size : {Size{640, 260, 1}, {900, 280, 1}, {1280, 300, 1}}) {
+  for (const PictureSize& size : {PictureSize{640, 260, 1}, {900, 280, 1}, {1280, 300, 1}}) {
     ContactPictureOptions options;
     options.width = size.width;
     options.height = size.height;

@@ -5,36 +5,36 @@
 namespace asperity {
 namespace {
 
-QString plain(const QString& text, const char* unit) {
+QString plainText(const QString& text, const char* unit) {
   return toPlainNumber(text, NumberRule{unit});
 }
 
 TEST(UnitText, EngineeringUnitsBecomePlainOnes) {
-  EXPECT_EQ(plain("10 MPa", "Pa"), "1e7");
-  EXPECT_EQ(plain("3.4 mN", "N").toDouble(), 0.0034);
-  EXPECT_EQ(plain("20 mm", "m").toDouble(), 0.02);
-  EXPECT_EQ(plain("0.5ms", "s").toDouble(), 0.0005);
-  EXPECT_EQ(plain("1e1 kPa", "Pa").toDouble(), 1e4);
-  EXPECT_EQ(plain("-2.5 mm/s", "m/s").toDouble(), -0.0025);
-  EXPECT_EQ(plain("3 kPa s", "Pa s").toDouble(), 3000);
-  EXPECT_EQ(plain(QStringLiteral("3 Pa·s"), "Pa s").toDouble(), 3);
+  EXPECT_EQ(plainText("10 MPa", "Pa"), "1e7");
+  EXPECT_EQ(plainText("3.4 mN", "N").toDouble(), 0.0034);
+  EXPECT_EQ(plainText("20 mm", "m").toDouble(), 0.02);
+  EXPECT_EQ(plainText("0.5ms", "s").toDouble(), 0.0005);
+  EXPECT_EQ(plainText("1e1 kPa", "Pa").toDouble(), 1e4);
+  EXPECT_EQ(plainText("-2.5 mm/s", "m/s").toDouble(), -0.0025);
+  EXPECT_EQ(plainText("3 kPa s", "Pa s").toDouble(), 3000);
+  EXPECT_EQ(plainText(QStringLiteral("3 Pa·s"), "Pa s").toDouble(), 3);
 }
 
 TEST(UnitText, MicroIsWrittenInThreeWays) {
   for (const QString& text : {QStringLiteral("7 um"), "7 " + QString(QChar(0xb5)) + "m",
                               "7 " + QString(QChar(0x3bc)) + "m"})
-    EXPECT_EQ(plain(text, "m").toDouble(), 7e-6) << text.toStdString();
+    EXPECT_EQ(plainText(text, "m").toDouble(), 7e-6) << text.toStdString();
 }
 
 TEST(UnitText, AUnitWithoutPrefixIsNotTakenForOne) {
-  EXPECT_EQ(plain("2 m", "m").toDouble(), 2);
-  EXPECT_EQ(plain("2 mm", "m").toDouble(), 0.002);
-  EXPECT_EQ(plain("2 m/s", "m/s").toDouble(), 2);
+  EXPECT_EQ(plainText("2 m", "m").toDouble(), 2);
+  EXPECT_EQ(plainText("2 mm", "m").toDouble(), 0.002);
+  EXPECT_EQ(plainText("2 m/s", "m/s").toDouble(), 2);
 }
 
 TEST(UnitText, ACommaIsAPoint) {
   EXPECT_EQ(withPoint("2,5"), "2.5");
-  EXPECT_EQ(plain(withPoint("2,5 mm"), "m").toDouble(), 0.0025);
+  EXPECT_EQ(plainText(withPoint("2,5 mm"), "m").toDouble(), 0.0025);
   EXPECT_EQ(withPoint("-1,5e-3 Pa s"), "-1.5e-3 Pa s");
   EXPECT_EQ(withPoint(",5"), ".5");
   EXPECT_EQ(withPoint("2.5 mm"), "2.5 mm");
@@ -59,9 +59,9 @@ TEST(UnitText, MarksBetweenThousandsAreThoseOfTheLanguage) {
 
 TEST(UnitText, WhatHasNoUnitOrAnotherOneIsLeftAsItIs) {
   for (const char* text : {"0.125", "1e7", "10 MN", "ten", "", "5 e", "1.2.3 m", "2 PA"})
-    EXPECT_EQ(plain(text, "Pa"), text);
-  EXPECT_EQ(plain("3 m", ""), "3 m");
-  EXPECT_EQ(plain(QStringLiteral("25 °C"), "K"), QStringLiteral("25 °C"));
+    EXPECT_EQ(plainText(text, "Pa"), text);
+  EXPECT_EQ(plainText("3 m", ""), "3 m");
+  EXPECT_EQ(plainText(QStringLiteral("25 °C"), "K"), QStringLiteral("25 °C"));
 }
 
 TEST(UnitText, ValuesAreShownWithThePrefixThatSuitsThem) {
@@ -90,7 +90,7 @@ TEST(UnitText, ValuesAreShownWithThePrefixThatSuitsThem) {
 TEST(UnitText, AValueThatIsShownReadsBackToTheVeryNumber) {
   for (double value = 1.2345678901234567e-31; value < 1e31; value *= -3.3333333333333335) {
     const UnitText text = inReadableUnit(value, "N");
-    EXPECT_EQ(plain(inShownUnit(text.number, text.unit), "N").toDouble(), value)
+    EXPECT_EQ(plainText(inShownUnit(text.number, text.unit), "N").toDouble(), value)
         << text.number.toStdString() << text.unit.toStdString();
   }
 }
