@@ -153,7 +153,14 @@ void keepLabels(TextBlock& block) {
 
 // ---- Several states side by side ----------------------------------------------------------------
 
-/// A temperature or load in the name of a column, and the column without it.
+/// Returns the load, temperature or velocity that has this unit.
+std::optional<FrictionQuantity> stateOfUnit(const std::string& unit) {
+  const auto quantity = quantityOfUnit(unit);
+  return !quantity && measures(unit, FrictionQuantity::Velocity) ? FrictionQuantity::Velocity
+                                                                 : quantity;
+}
+
+/// A temperature, load or velocity in the name of a column, and the column without it.
 struct NamedState {
   FrictionQuantity quantity = FrictionQuantity::Temperature;
   double value = 0;  // SI
@@ -161,8 +168,8 @@ struct NamedState {
   std::optional<FrictionQuantity> meaning{};  // of that column
 };
 
-/// Reads "mu 5 \u00B0C", "mu_5C", "mu@5 N", "mu (0.1 MPa)", "mu_error 5 \u00B0C". The unit of the
-/// state may have been taken for that of the column.
+/// Reads "mu 5 \u00B0C", "mu_5C", "mu@5 N", "mu (0.1 MPa)", "mu v=1 mm/s", "mu_error 5 \u00B0C".
+/// The unit of the state may have been taken for that of the column.
 std::optional<NamedState> stateOf(const TextColumn& column) {
   // "mu 1 bar" has been taken for a quantity in 1/bar.
   const bool isOne = column.unit.starts_with("1/");
@@ -175,13 +182,16 @@ std::optional<NamedState> stateOf(const TextColumn& column) {
                           std::isalnum(static_cast<unsigned char>(text[number - 2])) == 0;
     if (hasMinus) --number;
     const auto state = parseQuantity(withoutEnd(std::string_view(text).substr(number), ")] "));
-    const auto quantity = state ? quantityOfUnit(state->unit) : std::nullopt;
+    const auto quantity = state ? stateOfUnit(state->unit) : std::nullopt;
     if (!quantity) continue;
     NamedState found{*quantity, unitOfQuantity(state->unit, *quantity)->toSi(state->number)};
     std::string_view name = withoutEnd(std::string_view(text).substr(0, number), " ([@_,=T");
     for (const std::string_view word : WordList(" at, bei", ','))
       if (name.ends_with(word) && name.size() > word.size() + 1)
         name = withoutEnd(name.substr(0, name.size() - word.size()), " ");
+    if (const std::size_t last = name.find_last_of(" ([@_,"); last != name.npos && last > 0)
+      if (quantityNamed(plainWord(name.substr(last + 1))) == quantity)
+        name = withoutEnd(name.substr(0, last), " ([@_,");
     found.column.name = name;
     found.column.unit = isJoined ? std::string() : column.unit;
     found.column.isText = column.isText;
@@ -198,16 +208,16 @@ std::string bareState(const TextColumn& column, const TextColumn& of) {
   const std::size_t number = text.find_first_of("-0123456789");
   if (column.isText || number == text.npos) return {};
   const auto state = parseQuantity(withoutEnd(std::string_view(text).substr(number), ")] "));
-  const auto quantity = state ? quantityOfUnit(state->unit) : std::nullopt;
+  const auto quantity = state ? stateOfUnit(state->unit) : std::nullopt;
   if (!quantity) return {};
   const std::string name = plainWord(text.substr(0, number));
   return name.empty() || quantityNamed(name) == quantity ? text.substr(number) : std::string();
 }
 
-/// Returns whether a column has a load or a temperature with its unit.
-bool isLoadOrTemperature(const TextColumn& column) {
-  return !column.unit.empty() && quantityOfUnit(column.unit) &&
-         findMeaning(column) == quantityOfUnit(column.unit);
+/// Returns whether a column has a load, a temperature or a velocity with its unit.
+bool isState(const TextColumn& column) {
+  return !column.unit.empty() && stateOfUnit(column.unit) &&
+         findMeaning(column) == stateOfUnit(column.unit);
 }
 
 /// Returns whether a line is about a force other than the normal one, so that "friction" may be
@@ -250,7 +260,11 @@ void nameFrictionInStates(TextBlock& block) {
   if (hasMu || block.columns.size() < 3 || std::ranges::none_of(block.header, namesFriction))
     return;
   TextBlock named = block;
-  const TextColumn of = quantityOfHeads(named.columns.front(), named.header, isLoadOrTemperature);
+  const auto ofRows = findMeaning(named.columns.front());
+  const TextColumn of =
+      quantityOfHeads(named.columns.front(), named.header, [ofRows](const TextColumn& column) {
+        return isState(column) && findMeaning(column) != ofRows;
+      });
   for (std::size_t i = 1; i < named.columns.size(); ++i) {
     const std::string state = bareState(named.columns[i], of);
     if (state.empty()) return;
@@ -318,24 +332,28 @@ void stackStates(TextBlock& block) {
   stacked.cells.resize(kept.size());
   for (const std::size_t i : kept)
     stacked.columns.push_back(named[i] ? named[i]->column : block.columns[i]);
+  // The velocities of one load or temperature follow one another, in either arrangement.
+  const bool isInRows = example.quantity == FrictionQuantity::Velocity;
   std::vector<double> values;
-  for (const StateColumns& state : states)
-    for (std::size_t row = 0; row < block.rows; ++row) {
-      stacked.lines.push_back(block.lines[row]);
-      values.push_back(state.value);
-      for (std::size_t j = 0; j < kept.size(); ++j) {
-        const std::size_t from = kept[j] == first.mu      ? *state.mu
-                                 : kept[j] == first.error ? *state.error
-                                                          : kept[j];
-        stacked.values.push_back(block.at(row, from));
-        if (!block.texts[from].empty()) stacked.texts[j].push_back(block.texts[from][row]);
-        stacked.cells[j].push_back(block.cells[from].empty() ? TextCell{} : block.cells[from][row]);
-      }
+  for (std::size_t i = 0; i < stacked.rows; ++i) {
+    const std::size_t row = isInRows ? i / states.size() : i % block.rows;
+    const StateColumns& state = states[isInRows ? i % states.size() : i / block.rows];
+    stacked.lines.push_back(block.lines[row]);
+    values.push_back(state.value);
+    for (std::size_t j = 0; j < kept.size(); ++j) {
+      const std::size_t from = kept[j] == first.mu      ? *state.mu
+                               : kept[j] == first.error ? *state.error
+                                                        : kept[j];
+      stacked.values.push_back(block.at(row, from));
+      if (!block.texts[from].empty()) stacked.texts[j].push_back(block.texts[from][row]);
+      stacked.cells[j].push_back(block.cells[from].empty() ? TextCell{} : block.cells[from][row]);
     }
+  }
+  const auto units = {"K", "N", "Pa", "m/s"};
   TextColumn column{meaningOf(example.quantity),
-                    std::string(unitOfQuantity("K", example.quantity)         ? "K"
-                                : example.quantity == FrictionQuantity::Force ? "N"
-                                                                              : "Pa")};
+                    *std::ranges::find_if(units, [&example](const char* unit) {
+                      return measures(unit, example.quantity);
+                    })};
   column.isOfNames = true;
   stacked.append(std::move(column), values);
   block = std::move(stacked);

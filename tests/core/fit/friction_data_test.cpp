@@ -870,6 +870,38 @@ TEST(FrictionData, StatesAloneAboveColumnsOfFriction) {
               HasSubstr("has no column of the coefficient of friction"));
 }
 
+/// The same with velocities above the columns and a load or temperature in each row: the velocities
+/// of one of them follow one another.
+TEST(FrictionData, VelocitiesAboveColumnsOfFriction) {
+  const std::string rows = "5;0,9;0,8\n10;1,0;0,7\n";
+  for (const char* names :
+       {"load (N);mu 1 mm/s;mu 10 mm/s\n", "load (N);mu v=1 mm/s;mu v=10 mm/s\n",
+        "Fn (N);COF (1 mm/s);COF (10 mm/s)\n",
+        "Last (N);Reibwert bei 1 mm/s;Reibwert bei 10 mm/s\n", "COF\nFn (N);1 mm/s;10 mm/s\n",
+        "COF of NR\nFn (N);v = 1 mm/s;v = 10 mm/s\n", "COF at velocity (mm/s)\nFn (N);1;10\n",
+        "mu\nFn (N) \\ v (mm/s);1;10\n"}) {
+    SCOPED_TRACE(names);
+    const FrictionData data = parsed(names + rows);
+    ASSERT_EQ(data.points.size(), 4U);
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01);
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.8);
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 5);
+    EXPECT_DOUBLE_EQ(data.points[2].velocity, 0.001);
+    EXPECT_DOUBLE_EQ(data.points[2].normalForce, 10);
+    EXPECT_EQ(data.points[2].row, 2);
+    EXPECT_EQ(data.notes.size(), 1U);
+  }
+  const FrictionData warm = parsed(
+      "T (\u00B0C);mu 1 mm/s;s(mu) 1 mm/s;mu 10 mm/s;s(mu) 10 mm/s\n"
+      "20;0,9;0,1;0,8;0,2\n40;0,7;0,3;0,6;0,4\n");
+  EXPECT_NEAR(warm.points[3].temperature, 313.15, 1e-9);
+  EXPECT_DOUBLE_EQ(warm.points[3].muError, 0.4);
+  // A velocity in the rows is another one.
+  EXPECT_NE(errorOf("v (m/s);mu 1 mm/s;mu 10 mm/s\n" + rows), "no error");
+  EXPECT_THAT(errorOf("load (N);1 mm/s;10 mm/s\n" + rows),
+              HasSubstr("has no column of the coefficient of friction"));
+}
+
 TEST(FrictionData, AssumedUnitsAreNoted) {
   EXPECT_THAT(parsed("v;mu;load\n1;0,5;20\n2;0,6;20\n").notes[0].english(),
               testing::AllOf(HasSubstr("column 1: velocity (m/s, assumed)"),
