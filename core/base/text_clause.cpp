@@ -85,11 +85,11 @@ std::vector<std::string> wordsIn(std::string_view text) {
   return words;
 }
 
-std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock& block,
+std::optional<WordOfLine> unitOfNoNumber(const TextPart& in,
                                          const std::function<bool(const std::string&)>& isUnit) {
-  std::vector<const TextEntry*> lines = table.entriesAbove(block);
+  std::vector<const TextEntry*> lines = in.entriesAbove();
   // The names, which may have units of their own, are the last line above that has them all.
-  const auto hasNames = [&block](const TextEntry* entry) {
+  const auto hasNames = [&block = in.block](const TextEntry* entry) {
     return block.hasNames() &&
            std::ranges::all_of(block.columns, [entry](const TextColumn& column) {
              return entry->written.find(column.name) != std::string::npos;
@@ -97,7 +97,7 @@ std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock
   };
   const auto names = std::ranges::find_if(lines.rbegin(), lines.rend(), hasNames);
   const std::string lineOfNames = names != lines.rend() ? (*names)->written : std::string();
-  for (const TextEntry& entry : table.trailer) lines.push_back(&entry);
+  for (const TextEntry& entry : in.table.trailer) lines.push_back(&entry);
   for (const TextEntry* entry : lines) {
     if (entry->written == lineOfNames) continue;
     bool isAfterNumber = false;

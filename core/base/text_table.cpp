@@ -20,6 +20,12 @@ std::vector<double> TextBlock::column(std::size_t number) const {
   return found;
 }
 
+bool TextBlock::hasNumber(std::size_t column) const {
+  for (std::size_t row = 0; row < rows; ++row)
+    if (!std::isnan(at(row, column))) return true;
+  return false;
+}
+
 void TextBlock::append(TextColumn column, const std::vector<double>& numbers) {
   const std::size_t count = columns.size();
   std::vector<double> wider;
@@ -49,14 +55,18 @@ const TextBlock& TextTable::largest() const {
                                    [](const TextBlock& one) { return one.values.size(); });
 }
 
-std::vector<const TextEntry*> TextTable::entriesAbove(const TextBlock& block) const {
+std::vector<const TextEntry*> TextPart::entriesAbove() const {
   std::vector<const TextEntry*> entries;
-  for (const TextBlock& one : blocksUpTo(block))
+  for (const TextBlock& one : blocksUpTo())
     for (const TextEntry& entry : one.header) entries.push_back(&entry);
   return entries;
 }
 
 std::string TextTable::entry(std::string_view key, const TextBlock& block) const {
+  return TextPart{*this, block}.entry(key);
+}
+
+std::string TextPart::entry(std::string_view key) const {
   const auto spelled = [](std::string_view text) {
     std::string word = lowerCase(text);
     std::ranges::replace(word, '_', ' ');
@@ -64,7 +74,7 @@ std::string TextTable::entry(std::string_view key, const TextBlock& block) const
   };
   const std::string wanted = spelled(key);
   std::string found;
-  for (const TextEntry* const entry : entriesAbove(block))
+  for (const TextEntry* const entry : entriesAbove())
     if (spelled(entry->key) == wanted) found = entry->value;
   return found;
 }

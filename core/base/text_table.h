@@ -57,6 +57,8 @@ struct TextBlock {
   }
   double& at(std::size_t row, std::size_t column) { return values[row * columns.size() + column]; }
   std::vector<double> column(std::size_t number) const;
+  /// Returns whether some row has a number in a column.
+  bool hasNumber(std::size_t column) const;
   /// Appends a column with a number in each row.
   void append(TextColumn column, const std::vector<double>& numbers);
   /// Returns whether some column has a name.
@@ -76,15 +78,23 @@ struct TextTable {
 
   /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;
+  /// Returns TextPart::entry of the block.
+  std::string entry(std::string_view key, const TextBlock& block) const;
+};
+
+/// A block of a table with what the lines above it state. The readers of surfaces, moduli and
+/// friction add what the user states.
+struct TextPart {
+  const TextTable& table;
+  const TextBlock& block;
+
   /// Returns the blocks from the first one to this one.
-  std::span<const TextBlock> blocksUpTo(const TextBlock& block) const {
-    return {blocks.data(), &block + 1};
-  }
+  std::span<const TextBlock> blocksUpTo() const { return {table.blocks.data(), &block + 1}; }
   /// Returns the entries in front of the block, in its header or that of an earlier block.
-  std::vector<const TextEntry*> entriesAbove(const TextBlock& block) const;
+  std::vector<const TextEntry*> entriesAbove() const;
   /// Returns the value of the nearest entry with this key in front of the block, in upper or lower
   /// case. Empty where there is none.
-  std::string entry(std::string_view key, const TextBlock& block) const;
+  std::string entry(std::string_view key) const;
 };
 
 struct TextTableOptions {

@@ -144,7 +144,7 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
   if (isOnRamp(curve, set)) {
     series.ramp = static_cast<double>(curve.index) / static_cast<double>(familySize(set) - 1);
     // Error bars of many curves cover each other.
-    for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
+    series.dropErrors();
     return series;
   }
   series.colour = pinColour(curve.index);

@@ -86,6 +86,11 @@ struct DiagramSeries {
   int id = -1;                         // identifies the series under the pointer; -1: none
   bool isFaded = false;                // belongs to an earlier state
   std::optional<std::uint32_t> rgb{};  // 0xRRGGBB, instead of a palette's colour
+
+  /// Leaves the points without error bars.
+  void dropErrors() {
+    for (DiagramPoint& point : points) point.low = point.high = DiagramPoint{}.low;
+  }
 };
 
 /// A named range in x ("I transition", "zone 1").

@@ -170,7 +170,7 @@ ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTa
   ReadTable one{.block = written};
   unifyUnits(one.block, name);
   one.roles = findRoles(one.block, name);
-  refuseUnitsElsewhere(table, written, one.roles, name);
+  refuseUnitsElsewhere({table, written}, one.roles, name);
   one.mark = decimalMark(one.block, table.dialect);
   one.header = readHeader(
       one.block.header, one.mark, [&](Quantity quantity) { return one.roles.isGiven(quantity); },

@@ -362,12 +362,11 @@ bool FrictionRoles::areErrorsUsed(const TextBlock& block, std::size_t index) con
   });
 }
 
-void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
-                          const FrictionRoles& roles, const std::string& name) {
+void refuseUnitsElsewhere(const TextPart& in, const FrictionRoles& roles, const std::string& name) {
   for (const FrictionRole& role : roles.columns) {
-    const TextColumn& column = block.columns[role.index];
+    const TextColumn& column = in.block.columns[role.index];
     if (!column.unit.empty() || column.isOfNames || role.conversion.isForce) continue;
-    const auto found = unitOfNoNumber(table, block, [&role](const std::string& word) {
+    const auto found = unitOfNoNumber(in, [&role](const std::string& word) {
       // One letter may mean anything, and "un" is no micronewton.
       if (word.size() < 2 || (word.size() == 2 && !findUnit(word))) return false;
       const auto unit = unitOfQuantity(word, role.quantity);
@@ -375,7 +374,7 @@ void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
     });
     if (found)
       throw InputError(name, "",
-                       message("column {}: {}", shortened(block.label(role.index)),
+                       message("column {}: {}", shortened(in.block.label(role.index)),
                                unitStandsElsewhere(column.name, *found)));
   }
 }

@@ -67,8 +67,7 @@ FrictionRoles findRoles(const TextBlock& block, const std::string& name);
 
 /// Throws InputError for a column without a unit where a line above or below the table names one of
 /// its quantity that is not that of SI, such as "v in mm/s".
-void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
-                          const FrictionRoles& roles, const std::string& name);
+void refuseUnitsElsewhere(const TextPart& in, const FrictionRoles& roles, const std::string& name);
 
 /// Throws InputError where neither a column nor a line above the table gives the velocity, or the
 /// normal force beside a force of friction. isStated: whether such a line gives a quantity.

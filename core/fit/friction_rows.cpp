@@ -147,11 +147,7 @@ class RowReader {
   void refuseEmptyColumns() const {
     for (const Quantity quantity : kOfEachPoint) {
       const FrictionRole* column = roles_.find(quantity);
-      if (!column) continue;
-      bool isEmpty = block_.rows > 0;
-      for (std::size_t row = 0; row < block_.rows; ++row)
-        isEmpty = isEmpty && std::isnan(block_.at(row, column->index));
-      if (isEmpty)
+      if (column && block_.rows > 0 && !block_.hasNumber(column->index))
         throw InputError(
             name_, "",
             message("column {}: the {} is missing in all rows; take the column out",

@@ -68,12 +68,10 @@ std::optional<MaterialLines> materialWithSeries(const KeywordFile& file) {
     }
     if (!isKeyword(line, "*viscoelastic")) continue;
     if (!has(line, "time=prony") && !has(line, "frequency=prony"))
-      throw InputError(file.name, line.key(),
-                       "is neither TIME=PRONY nor FREQUENCY=PRONY; a table of frequencies and "
-                       "moduli is read as such");
-    if (series)
-      throw InputError(file.name, line.key(),
-                       "is a second *VISCOELASTIC; keep the material that is meant alone");
+      line.fail(
+          "is neither TIME=PRONY nor FREQUENCY=PRONY; a table of frequencies and "
+          "moduli is read as such");
+    if (series) line.fail("is a second *VISCOELASTIC; keep the material that is meant alone");
     series = i;
   }
   if (!series) return {};
@@ -100,59 +98,56 @@ struct ModulusBlock {
   bool isInstantaneous = false;  // else of long term, which is the default
 };
 
-/// Returns the shear modulus of a data line of *ELASTIC or *HYPERELASTIC.
-using ShearModulus = double (*)(const KeywordLine& data, const std::string& name);
-
+/// How the constants of a data line make the shear modulus: those in the first place and in a
+/// second one are added, and multiplied by a factor.
 struct ModulusForm {
-  ShearModulus shear;
+  std::string_view word;      // of the keyword
+  double terms;               // N of the keyword, which is 1 where it has none; 0: any
+  double factor;              // 2 of W = C10 (I1 - 3) + C01 (I2 - 3) + ...: G = 2 (C10 + C01)
+  std::size_t second;         // 0: there is none
   std::size_t temperatureAt;  // place of the temperature after the constants
 };
 
-ModulusForm modulusForm(const KeywordLine& keyword, const std::string& name) {
+// OGDEN is W = sum 2 mu_i / alpha_i^2 (...): G = sum mu_i.
+constexpr ModulusForm kHyperelastic[] = {{"neohooke", 0, 2, 0, 2},
+                                         {"yeoh", 0, 2, 0, 6},
+                                         {"mooney-rivlin", 0, 2, 1, 3},
+                                         {"polynomial", 1, 2, 1, 3},
+                                         {"reducedpolynomial", 1, 2, 0, 2},
+                                         {"reducedpolynomial", 2, 2, 0, 4},
+                                         {"reducedpolynomial", 3, 2, 0, 6},
+                                         {"ogden", 1, 1, 0, 3},
+                                         {"ogden", 2, 1, 2, 6}};
+/// Young's modulus and Poisson's ratio.
+constexpr ModulusForm kElastic{"*elastic", 0, 1, 1, 2};
+
+const ModulusForm& modulusForm(const KeywordLine& keyword) {
   if (textParameter(keyword, "dependencies="))
-    throw InputError(name, keyword.key(),
-                     "has moduli that depend on field variables, which are not read; give "
-                     "--equilibrium-modulus");
-  if (isKeyword(keyword, "*elastic")) {
-    const std::string type = textParameter(keyword, "type=").value_or("isotropic");
-    if (!type.starts_with("iso"))
-      throw InputError(name, keyword.key(),
-                       "has moduli that differ with direction, which are not read; give "
-                       "--equilibrium-modulus");
-    return {[](const KeywordLine& data, const std::string& file) {
-              return shearFromYoungs(numberAt(data, 0, file), numberAt(data, 1, file));
-            },
-            2};
+    keyword.fail(
+        "has moduli that depend on field variables, which are not read; give "
+        "--equilibrium-modulus");
+  if (isKeyword(keyword, kElastic.word)) {
+    if (!textParameter(keyword, "type=").value_or("isotropic").starts_with("iso"))
+      keyword.fail(
+          "has moduli that differ with direction, which are not read; give "
+          "--equilibrium-modulus");
+    return kElastic;
   }
-  // W = C10 (I1 - 3) + C01 (I2 - 3) + ...: G = 2 (C10 + C01).
-  const ShearModulus first = [](const KeywordLine& data, const std::string& file) {
-    return 2 * numberAt(data, 0, file);
-  };
-  const ShearModulus firstTwo = [](const KeywordLine& data, const std::string& file) {
-    return 2 * (numberAt(data, 0, file) + numberAt(data, 1, file));
-  };
-  // W = sum 2 mu_i / alpha_i^2 (...): G = sum mu_i.
-  const ShearModulus ogden = [](const KeywordLine& data, const std::string& file) {
-    return numberAt(data, 0, file);
-  };
-  const ShearModulus ogdenOfTwo = [](const KeywordLine& data, const std::string& file) {
-    return numberAt(data, 0, file) + numberAt(data, 2, file);
-  };
   const double terms = numberParameter(keyword, "n=").value_or(1);
-  if (!has(keyword, "testdatainput")) {
-    if (has(keyword, "neohooke")) return {first, 2};
-    if (has(keyword, "yeoh")) return {first, 6};
-    if (has(keyword, "mooney-rivlin")) return {firstTwo, 3};
-    if (has(keyword, "polynomial") && terms == 1) return {firstTwo, 3};
-    if (has(keyword, "reducedpolynomial") && terms <= 3)
-      return {first, 2 * static_cast<std::size_t>(terms)};
-    if (has(keyword, "ogden") && terms == 1) return {ogden, 3};
-    if (has(keyword, "ogden") && terms == 2) return {ogdenOfTwo, 6};
-  }
-  throw InputError(name, keyword.key(),
-                   "has a hyperelastic form whose shear modulus is not read; NEO HOOKE, "
-                   "MOONEY-RIVLIN, YEOH, POLYNOMIAL (N=1), REDUCED POLYNOMIAL (N=1 to 3) and OGDEN "
-                   "(N=1 or 2) with their constants are, or give --equilibrium-modulus");
+  const auto* const form = std::ranges::find_if(kHyperelastic, [&](const ModulusForm& one) {
+    return has(keyword, one.word) && (one.terms == 0 || one.terms == terms);
+  });
+  if (form == std::end(kHyperelastic) || has(keyword, "testdatainput"))
+    keyword.fail(
+        "has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN, YEOH, "
+        "POLYNOMIAL (N=1), REDUCED POLYNOMIAL (N=1 to 3) and OGDEN (N=1 or 2) with their constants "
+        "are, or give --equilibrium-modulus");
+  return *form;
+}
+
+double shearModulus(const ModulusForm& form, const KeywordLine& data) {
+  const double first = data.numberAt(0), second = form.second > 0 ? data.numberAt(form.second) : 0;
+  return &form == &kElastic ? shearFromYoungs(first, second) : form.factor * (first + second);
 }
 
 /// Returns the moduli of a material; nothing where it has none. Throws InputError where it has two
@@ -162,20 +157,16 @@ std::optional<ModulusBlock> readModuli(const KeywordFile& file, const MaterialLi
   for (std::size_t i = material.begin; i < material.end; ++i) {
     const KeywordLine& keyword = file.lines[i];
     if (!isKeyword(keyword, "*elastic") && !isKeyword(keyword, "*hyperelastic")) continue;
-    if (block)
-      throw InputError(file.name, keyword.key(),
-                       "is a second modulus of the same material; keep the one that is meant");
-    const ModulusForm form = modulusForm(keyword, file.name);
+    if (block) keyword.fail("is a second modulus of the same material; keep the one that is meant");
+    const ModulusForm& form = modulusForm(keyword);
     block.emplace();
     block->isInstantaneous = has(keyword, "moduli=instantaneous");
-    block->rows.key = keyword.key();
+    block->rows.line = keyword;
     forEachData(file.lines, i, [&](const KeywordLine& data) {
-      block->shear.push_back(form.shear(data, file.name));
-      block->rows.temperatures.push_back(data.word(form.temperatureAt).empty()
-                                             ? std::optional<double>()
-                                             : numberAt(data, form.temperatureAt, file.name));
+      block->shear.push_back(shearModulus(form, data));
+      block->rows.temperatures.push_back(data.optionalNumberAt(form.temperatureAt));
     });
-    if (block->shear.empty()) throw InputError(file.name, keyword.key(), "has no modulus");
+    if (block->shear.empty()) keyword.fail("has no modulus");
   }
   return block;
 }
@@ -187,14 +178,13 @@ TemperatureShift readTrs(const KeywordLine& data, bool isArrhenius, double gasCo
                          std::optional<double> absoluteZero, const KeywordFile& file,
                          RawSeries& series) {
   TemperatureShift shift;
-  shift.referenceTemperature =
-      readReference(numberAt(data, 0, file.name), absoluteZero, file.choices, series);
+  shift.referenceTemperature = readReference(data.numberAt(0), absoluteZero, file.choices, series);
   if (isArrhenius) {
     shift.kind = ShiftKind::Arrhenius;
-    shift.activationEnergy = numberAt(data, 1, file.name) * kGasConstant / gasConstant;
+    shift.activationEnergy = data.numberAt(1) * kGasConstant / gasConstant;
   } else {
-    shift.c1 = numberAt(data, 1, file.name);
-    shift.c2 = numberAt(data, 2, file.name);
+    shift.c1 = data.numberAt(1);
+    shift.c2 = data.numberAt(2);
   }
   return shift;
 }
@@ -222,8 +212,7 @@ std::optional<RawSeries> abaqusSeries(const KeywordFile& file) {
     const KeywordLine& keyword = file.lines[i];
     if (isKeyword(keyword, "*viscoelastic")) {
       forEachData(file.lines, i, [&](const KeywordLine& data) {
-        series.terms.push_back(
-            {numberAt(data, 0, file.name), numberAt(data, 2, file.name), data.number});
+        series.terms.push_back({data.numberAt(0), data.numberAt(2), data.number});
       });
     } else if (isKeyword(keyword, "*trs")) {
       const bool isArrhenius = has(keyword, "definition=arrhenius");

@@ -21,7 +21,13 @@ struct AnsysTable {
   std::vector<std::size_t> lines{};  // of the last data of each row
   std::size_t next = 0;              // the place after the last constant
   std::string option{};              // "neo"
-  KeywordLine command{};
+
+  /// Returns a constant of a row, counted from 0. Throws InputError where there is none.
+  double constant(std::size_t row, std::size_t index) const {
+    if (index >= data[row].size() || !std::isfinite(data[row][index]))
+      rows.line.fail(message("has no constant {}", index + 1));
+    return data[row][index];
+  }
 };
 
 /// Returns the letters that Ansys compares: "hype" for "hyper".
@@ -78,8 +84,7 @@ class AnsysReader {
       if (significant(line.word(1)) != "pron") continue;
       const bool isShear = line.word(5) != "bulk";
       if (isShear && hasShear)
-        throw InputError(file_.name, line.key(),
-                         "is a second TB,PRONY; keep the material that is meant alone");
+        line.fail("is a second TB,PRONY; keep the material that is meant alone");
       if (isShear || !material) material = own;
       hasShear = hasShear || isShear;
     }
@@ -127,7 +132,7 @@ class AnsysReader {
   const std::vector<Message>& notes() const { return notes_; }
   std::optional<double> absoluteZero() const {
     for (const KeywordLine& line : commands_)
-      if (significant(line.words.front()) == "toff") return -numberAt(line, 1, file_.name);
+      if (significant(line.words.front()) == "toff") return -line.numberAt(1);
     return {};
   }
 
@@ -142,18 +147,15 @@ class AnsysReader {
     if (!isRead) return nullptr;
     if (tables_.contains(label)) refuseSecond(line);
     AnsysTable& table = tables_[label];
-    table.rows.key = line.key();
+    table.rows.line = line;
     table.option = option;
-    table.command = line;
     return &table;
   }
 
   void openRow(const KeywordLine& line, AnsysTable& table) const {
-    const std::optional<double> temperature =
-        line.word(1).empty() ? std::optional<double>() : numberAt(line, 1, file_.name);
+    const std::optional<double> temperature = line.optionalNumberAt(1);
     if (std::ranges::find(table.rows.temperatures, temperature) != table.rows.temperatures.end())
-      throw InputError(file_.name, line.key(),
-                       "is a second TBTEMP of the same temperature; keep the one that is meant");
+      line.fail("is a second TBTEMP of the same temperature; keep the one that is meant");
     table.rows.temperatures.push_back(temperature);
     table.data.emplace_back();
     table.lines.push_back(line.number);
@@ -161,10 +163,8 @@ class AnsysReader {
   }
 
   void addData(const KeywordLine& line, AnsysTable& table) const {
-    const double start =
-        line.word(1).empty() ? static_cast<double>(table.next + 1) : numberAt(line, 1, file_.name);
-    if (!(start >= 1 && start <= 200))
-      throw InputError(file_.name, line.key(), "begins at a place that is outside 1 to 200");
+    const double start = line.optionalNumberAt(1).value_or(static_cast<double>(table.next + 1));
+    if (!(start >= 1 && start <= 200)) line.fail("begins at a place that is outside 1 to 200");
     if (table.data.empty()) {
       table.rows.temperatures.emplace_back();
       table.data.emplace_back();
@@ -176,7 +176,7 @@ class AnsysReader {
     for (std::size_t i = 2; i < line.words.size(); ++i, ++index) {
       if (line.words[i].empty()) continue;
       data.resize(std::max(data.size(), index + 1), RawSeries::kNotStated);
-      data[index] = numberAt(line, i, file_.name);
+      data[index] = line.numberAt(i);
       table.next = index + 1;
     }
   }
@@ -191,7 +191,7 @@ class AnsysReader {
     for (std::size_t i = 2; i < line.words.size(); ++i, ++index) {
       if (line.words[i].empty()) continue;
       temperatures_.resize(std::max(temperatures_.size(), index + 1));
-      temperatures_[index] = numberAt(line, i, file_.name);
+      temperatures_[index] = line.numberAt(i);
     }
   }
 
@@ -203,14 +203,14 @@ class AnsysReader {
   void addProperty(const KeywordLine& line) {
     if (!isProperty(line.word(1))) return;
     for (std::size_t i = 4; i < line.words.size(); ++i)
-      if (!line.words[i].empty() && numberAt(line, i, file_.name) != 0)
-        throw InputError(file_.name, line.key(),
-                         "changes with temperature as a polynomial, which is not read; write "
-                         "MPTEMP and MPDATA, or give --instantaneous-modulus");
+      if (!line.words[i].empty() && line.numberAt(i) != 0)
+        line.fail(
+            "changes with temperature as a polynomial, which is not read; write "
+            "MPTEMP and MPDATA, or give --instantaneous-modulus");
     AnsysTable& table = property(line);
     if (!table.data.empty()) refuseSecond(line);
     table.rows.temperatures.emplace_back();
-    table.data.push_back({numberAt(line, 3, file_.name)});
+    table.data.push_back({line.numberAt(3)});
   }
 
   void addProperties(const KeywordLine& line) {
@@ -221,12 +221,11 @@ class AnsysReader {
       if (line.words[i].empty()) continue;
       const bool hasTemperature = index < temperatures_.size() && temperatures_[index];
       if (!hasTemperature && !(temperatures_.empty() && index == 0))
-        throw InputError(
-            file_.name, line.key(),
+        line.fail(
             message("has a value in place {} for which MPTEMP has no temperature", index + 1));
       table.rows.temperatures.push_back(hasTemperature ? temperatures_[index]
                                                        : std::optional<double>());
-      table.data.push_back({numberAt(line, i, file_.name)});
+      table.data.push_back({line.numberAt(i)});
     }
   }
 
@@ -234,22 +233,20 @@ class AnsysReader {
   AnsysTable& property(const KeywordLine& line) {
     const std::string label = line.word(1);
     AnsysTable& table = tables_[label == "prxy" ? "nuxy" : label];
-    if (table.rows.key.empty()) table.rows.key = line.key();
+    if (table.rows.line.number == 0) table.rows.line = line;
     return table;
   }
 
   std::size_t firstPlace(const KeywordLine& line, std::size_t field) const {
     constexpr double kMax = 1000;
-    const double start = line.word(field).empty() ? 1 : numberAt(line, field, file_.name);
+    const double start = line.optionalNumberAt(field).value_or(1);
     if (!(start >= 1 && start <= kMax))
-      throw InputError(file_.name, line.key(),
-                       message("begins at a place that is outside 1 to {}", plain(kMax)));
+      line.fail(message("begins at a place that is outside 1 to {}", plain(kMax)));
     return static_cast<std::size_t>(start) - 1;
   }
 
   [[noreturn]] void refuseSecond(const KeywordLine& line) const {
-    throw InputError(file_.name, line.key(),
-                     "states a property of the same material again; keep the one that is meant");
+    line.fail("states a property of the same material again; keep the one that is meant");
   }
 
   const KeywordFile& file_;
@@ -260,31 +257,23 @@ class AnsysReader {
   std::vector<Message> notes_;
 };
 
-/// Returns a constant of a table, counted from 0. Throws InputError where there is none.
-double constantAt(const AnsysTable& table, std::size_t row, std::size_t index,
-                  const std::string& name) {
-  if (index >= table.data[row].size() || !std::isfinite(table.data[row][index]))
-    throw InputError(name, table.rows.key, message("has no constant {}", index + 1));
-  return table.data[row][index];
-}
-
 /// W = mu/2 (I1 - 3) for NEO, and C10 (I1 - 3) + C01 (I2 - 3) + ... for MOONEY and YEOH.
-double hyperelasticShear(const AnsysTable& table, std::size_t row, const std::string& name) {
-  const double first = constantAt(table, row, 0, name);
+double hyperelasticShear(const AnsysTable& table, std::size_t row) {
+  const double first = table.constant(row, 0);
   if (table.option == "neo") return first;
   if (table.option == "yeoh") return 2 * first;
-  if (table.option == "moon") return 2 * (first + constantAt(table, row, 1, name));
-  throw InputError(name, table.rows.key,
-                   "has a hyperelastic form whose shear modulus is not read; NEO, MOONEY and YEOH "
-                   "are, or give --instantaneous-modulus");
+  if (table.option == "moon") return 2 * (first + table.constant(row, 1));
+  table.rows.line.fail(
+      "has a hyperelastic form whose shear modulus is not read; NEO, MOONEY and YEOH "
+      "are, or give --instantaneous-modulus");
 }
 
 /// Of OELM, OELN, AELS and AELF the second constant is another modulus, not Poisson's ratio.
-void requireIsotropic(const AnsysTable& elastic, const std::string& name) {
+void requireIsotropic(const AnsysTable& elastic) {
   if (elastic.option.empty() || elastic.option.starts_with("iso")) return;
-  throw InputError(name, elastic.rows.key,
-                   "has moduli that differ with direction, which are not read; give "
-                   "--equilibrium-modulus");
+  elastic.rows.line.fail(
+      "has moduli that differ with direction, which are not read; give "
+      "--equilibrium-modulus");
 }
 
 }  // namespace
@@ -302,13 +291,13 @@ std::optional<RawSeries> ansysSeries(const KeywordFile& file) {
   const std::optional<double> absoluteZero = reader.absoluteZero();
   if (const AnsysTable* shift = reader.find("shif")) {
     if (shift->data.size() > 1)
-      throw InputError(file.name, shift->rows.key,
-                       "has a shift for more than one temperature; keep the one that is meant");
+      shift->rows.line.fail(
+          "has a shift for more than one temperature; keep the one that is meant");
     TemperatureShift wlf;
     wlf.referenceTemperature =
-        readReference(constantAt(*shift, 0, 0, file.name), absoluteZero, file.choices, series);
-    wlf.c1 = constantAt(*shift, 0, 1, file.name);
-    wlf.c2 = constantAt(*shift, 0, 2, file.name);
+        readReference(shift->constant(0, 0), absoluteZero, file.choices, series);
+    wlf.c1 = shift->constant(0, 1);
+    wlf.c2 = shift->constant(0, 2);
     series.shift = wlf;
   }
   // The tables that are used: a hyperelastic material does not use its linear moduli.
@@ -317,7 +306,7 @@ std::optional<RawSeries> ansysSeries(const KeywordFile& file) {
   const AnsysTable *young = reader.find("ex"), *poisson = reader.find("nuxy");
   const AnsysTable* shear = reader.find("gxy");
   if (hyper) elastic = nullptr;
-  if (elastic) requireIsotropic(*elastic, file.name);
+  if (elastic) requireIsotropic(*elastic);
   if (hyper || elastic) young = nullptr;
   if (!young) poisson = nullptr;
   if (hyper || elastic || young) shear = nullptr;
@@ -330,14 +319,14 @@ std::optional<RawSeries> ansysSeries(const KeywordFile& file) {
   }
   const std::vector<std::size_t> chosen = chooseRows(tables, absoluteZero, file, series);
   const auto constant = [&](const AnsysTable& table, std::size_t index) {
-    return constantAt(table, chosen[places[&table]], index, file.name);
+    return table.constant(chosen[places[&table]], index);
   };
   if (terms) {
     const std::size_t row = chosen[places[terms]];
     for (std::size_t i = 0; i < terms->data[row].size(); i += 2)
       series.terms.push_back({constant(*terms, i), constant(*terms, i + 1), terms->lines[row]});
   }
-  if (hyper) series.instantaneous = hyperelasticShear(*hyper, chosen[places[hyper]], file.name);
+  if (hyper) series.instantaneous = hyperelasticShear(*hyper, chosen[places[hyper]]);
   if (elastic) series.instantaneous = shearFromYoungs(constant(*elastic, 0), constant(*elastic, 1));
   if (young)
     series.instantaneous =

@@ -104,22 +104,12 @@ std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
   made.header = block.header;
   made.rows = first.size();
   made.lines.assign(made.rows, block.lines.front());
-  std::vector<std::vector<double>> columns;
-  const auto add = [&](TextColumn name, std::vector<double> numbers) {
-    name.isText = false;
-    made.columns.push_back(std::move(name));
-    columns.push_back(std::move(numbers));
-  };
-  add(block.columns.front(), first);
+  made.append({block.columns.front().name, block.columns.front().unit}, first);
   for (std::size_t row = 0; row < block.rows; ++row) {
     std::vector<double> numbers;
     for (std::size_t i = 1; i < block.columns.size(); ++i) numbers.push_back(block.at(row, i));
-    add(parseColumnName(block.texts.front()[row]), std::move(numbers));
+    made.append(parseColumnName(block.texts.front()[row]), numbers);
   }
-  for (std::size_t row = 0; row < made.rows; ++row)
-    for (const std::vector<double>& column : columns) made.values.push_back(column[row]);
-  made.texts.resize(columns.size());
-  made.cells.resize(columns.size());
   return made;
 }
 

@@ -102,32 +102,72 @@ constexpr WordList kReducedSymbols("at*f atf fat f*at fred");
 constexpr WordList kReducedAngularSymbols(
     "omega*at omegaat atomega at*omega at*w w*at atw wat wred omegared");
 
+/// What names of a quantity contain, and whole names.
+struct QuantityNames {
+  DmaQuantity quantity;
+  WordList parts, whole;
+
+  bool contain(std::string_view word) const {
+    return containsOneOf(word, parts) || isOneOf(word, whole);
+  }
+};
+
+constexpr QuantityNames kLossTangents{
+    DmaQuantity::LossTangent,
+    "tgdelta \u0442\u0430\u043D\u0433\u0435\u043D\u0441\u0443\u0433\u043B "
+    "\u0442\u0430\u043D\u0433\u0435\u043D\u0441\u043F\u043E\u0442\u0435\u0440\u044C "
+    "\u0442\u0430\u043D\u0433\u0435\u043D\u0441\u043C\u0435\u0445\u0430\u043D\u0438\u0447"
+    "\u0435\u0441\u043A "
+    "kay\u0131pfakt kay\u0131ptan ztratov\u00FD\u010Dinitel "
+    "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
+    "verlustfaktor daempfungsfaktor tangentdelta facteurdeperte fattorediperdita "
+    "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570 "
+    "\u635F\u8017\u56E0\u5B50 \uC190\uC2E4\uACC4\uC218",
+    "tan"};
+constexpr QuantityNames kFrequencies{
+    DmaQuantity::Frequency,
+    "\u0447\u0430\u0441\u0442\u043E\u0442 frekans pulsation pulsazion "
+    "freq frecuenc frekven stotliwo \u5468\u6CE2\u6570 \u9891\u7387 \uC8FC\uD30C\uC218",
+    "f nu omega w angular"};
+/// The parts of a modulus, a magnitude and its phase, and strains: the first row counts.
+constexpr QuantityNames kModuli[] = {
+    {DmaQuantity::Loss, "", "img* ime*"},
+    {DmaQuantity::Storage, "", "reg* ree*"},
+    {DmaQuantity::Loss,
+     "\u043C\u043E\u0434\u0443\u043B\u044C\u043F\u043E\u0442\u0435\u0440\u044C "
+     "\u043C\u043E\u0434\u0443\u043B\u044C\u043C\u0435\u0445\u0430\u043D\u0438\u0447\u0435"
+     "\u0441\u043A\u0438\u0445\u043F\u043E\u0442\u0435\u0440\u044C "
+     "kay\u0131pmod kayipmod ztratov\u00FDmod "
+     "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
+     "moduledeperte modulevisqueux modulodiperdita modulodissipativo moduloviscoso "
+     "modulodeperdida modulodeperda verliesmod stratno \u640D\u5931\u5F3E\u6027\u7387 "
+     "\u635F\u8017\u6A21\u91CF \uC190\uC2E4\uD0C4\uC131\uB960",
+     "loss g2 e2 gpp epp lossg losse gimag eimag"},
+    {DmaQuantity::Storage,
+     "\u043C\u043E\u0434\u0443\u043B\u044C\u043D\u0430\u043A\u043E\u043F\u043B\u0435"
+     "\u043D\u0438\u044F "
+     "depolamamod saklamamod pam\u011B\u0165ov\u00FDmod "
+     "g' e' m' storage stormod speicher gprime eprime elasticmod moduledeconservation "
+     "moduleelastique moduloelastico moduloconservativo modulodealmacenamiento "
+     "modulodearmazenamento opslagmod zachowawcz \u8CAF\u8535\u5F3E\u6027\u7387 "
+     "\u50A8\u80FD\u6A21\u91CF \uC800\uC7A5\uD0C4\uC131\uB960",
+     "g1 e1 gp ep greal ereal"},
+    {DmaQuantity::Phase, "phase phasen lossangle verlustwinkel", "delta"},
+    {DmaQuantity::Magnitude, "g* e* complexmod komplexermod dynamicmod absmod",
+     "m* |m*| |m| gabs eabs |g| |e| gstar estar gmag emag"},
+    {DmaQuantity::Strain,
+     "strain gamma dehnung deformation "
+     "\u0434\u0435\u0444\u043E\u0440\u043C\u0430\u0446\u0438 gerinim deformace",
+     ""}};
+
 DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
-  const bool isLossTangent =
-      containsOneOf(
-          word,
-          "tgdelta \u0442\u0430\u043D\u0433\u0435\u043D\u0441\u0443\u0433\u043B "
-          "\u0442\u0430\u043D\u0433\u0435\u043D\u0441\u043F\u043E\u0442\u0435\u0440\u044C "
-          "\u0442\u0430\u043D\u0433\u0435\u043D\u0441\u043C\u0435\u0445\u0430\u043D\u0438\u0447"
-          "\u0435\u0441\u043A "
-          "kay\u0131pfakt kay\u0131ptan ztratov\u00FD\u010Dinitel "
-          "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
-          "verlustfaktor daempfungsfaktor tangentdelta facteurdeperte fattorediperdita "
-          "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570 "
-          "\u635F\u8017\u56E0\u5B50 \uC190\uC2E4\uACC4\uC218") ||
-      word == "tan";
-  if (isLossTangent) return LossTangent;
+  if (kLossTangents.contain(word)) return LossTangent;
   if (containsOneOf(word, "strainrate energy energie stiffness torque")) return None;
   if (const MeasuredForm form = formOfName(word); form != MeasuredForm::Modulus)
     return partOf(word, form);
-  if (containsOneOf(
-          word,
-          "\u0447\u0430\u0441\u0442\u043E\u0442 frekans pulsation pulsazion "
-          "freq frecuenc frekven stotliwo \u5468\u6CE2\u6570 \u9891\u7387 \uC8FC\uD30C\uC218") ||
-      isOneOf(word, "f nu omega w angular"))
-    return isReducedFrequency(word) ? ReducedFrequency : Frequency;
+  if (kFrequencies.contain(word)) return isReducedFrequency(word) ? ReducedFrequency : Frequency;
   if (isOneOf(word, kReducedSymbols) || isOneOf(word, kReducedAngularSymbols))
     return ReducedFrequency;
   if (namesTemperature(word) || isOneOf(word,
@@ -139,40 +179,9 @@ DmaQuantity dmaQuantity(std::string_view word) {
       modulusKind(word) != ModulusKind::Unknown || word.find("modul") != word.npos;
   if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil *imag")) return Loss;
   if (isOfModulus && containsOneOf(word, "realpart realteil *real")) return Storage;
-  if (isOneOf(word, "img* ime*")) return Loss;
-  if (isOneOf(word, "reg* ree*")) return Storage;
-  if (containsOneOf(
-          word,
-          "\u043C\u043E\u0434\u0443\u043B\u044C\u043F\u043E\u0442\u0435\u0440\u044C "
-          "\u043C\u043E\u0434\u0443\u043B\u044C\u043C\u0435\u0445\u0430\u043D\u0438\u0447\u0435"
-          "\u0441\u043A\u0438\u0445\u043F\u043E\u0442\u0435\u0440\u044C "
-          "kay\u0131pmod kayipmod ztratov\u00FDmod "
-          "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
-          "moduledeperte modulevisqueux modulodiperdita modulodissipativo moduloviscoso "
-          "modulodeperdida modulodeperda verliesmod stratno \u640D\u5931\u5F3E\u6027\u7387 "
-          "\u635F\u8017\u6A21\u91CF \uC190\uC2E4\uD0C4\uC131\uB960") ||
-      isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
-    return Loss;
-  if (containsOneOf(
-          word,
-          "\u043C\u043E\u0434\u0443\u043B\u044C\u043D\u0430\u043A\u043E\u043F\u043B\u0435"
-          "\u043D\u0438\u044F "
-          "depolamamod saklamamod pam\u011B\u0165ov\u00FDmod "
-          "g' e' m' storage stormod speicher gprime eprime elasticmod moduledeconservation "
-          "moduleelastique moduloelastico moduloconservativo modulodealmacenamiento "
-          "modulodearmazenamento opslagmod zachowawcz \u8CAF\u8535\u5F3E\u6027\u7387 "
-          "\u50A8\u80FD\u6A21\u91CF \uC800\uC7A5\uD0C4\uC131\uB960") ||
-      isOneOf(word, "g1 e1 gp ep greal ereal"))
-    return Storage;
-  if (containsOneOf(word, "phase phasen lossangle verlustwinkel") || word == "delta") return Phase;
-  if (containsOneOf(word, "g* e* complexmod komplexermod dynamicmod absmod") ||
-      isOneOf(word, "m* |m*| |m| gabs eabs |g| |e| gstar estar gmag emag"))
-    return Magnitude;
-  if (containsOneOf(word,
-                    "strain gamma dehnung deformation "
-                    "\u0434\u0435\u0444\u043E\u0440\u043C\u0430\u0446\u0438 gerinim deformace"))
-    return Strain;
-  return None;
+  const auto* const found = std::ranges::find_if(
+      kModuli, [word](const QuantityNames& names) { return names.contain(word); });
+  return found == std::end(kModuli) ? None : found->quantity;
 }
 
 /// Letters, and the word that stands for each of them.
@@ -348,8 +357,10 @@ Message dividedForShear(double poisson) {
                  printed(2 * (1 + poisson)), printed(poisson));
 }
 
-DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
-  DmaColumn column;
+namespace {
+
+/// Takes the temperature and the frequency in a name or its unit. Returns the name without them.
+std::string takeStates(std::string_view name, std::string_view unit, DmaColumn& column) {
   std::string word(name);
   for (const std::string_view part : {name, unit})
     if (const auto found = firstTemperature(part)) {
@@ -370,6 +381,14 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
       word = rest;
     }
   }
+  return word;
+}
+
+}  // namespace
+
+DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
+  DmaColumn column;
+  const std::string word = takeStates(name, unit, column);
   const std::string plain = compactName(word);
   column.quantity = dmaQuantity(plain);
   column.kind = modulusKind(plain);

@@ -34,9 +34,9 @@ Message shiftIsNotRead() {
   return "the shift that the file states is not read: the isotherms have their own";
 }
 
-class Reader {
+class DmaReader {
  public:
-  Reader(const TextTable& table, const std::string& name, const DmaChoices& choices)
+  DmaReader(const TextTable& table, const std::string& name, const DmaChoices& choices)
       : table_(table), name_(name), choices_(choices) {}
 
   DmaFile read() {
@@ -122,7 +122,7 @@ class Reader {
     for (const SweepColumns& columns : sweeps) {
       DmaFacts& facts = file_.facts;
       const DmaFacts before = facts;
-      readSweep({table_, block, name_, choices_}, columns, sweeps.size() > 1);
+      readSweep({{table_, block}, name_, choices_}, columns, sweeps.size() > 1);
       facts.hasOtherColumns =
           facts.hasOtherColumns ||
           (facts.sweeps > 0 && !(facts.frequency == before.frequency &&
@@ -227,9 +227,9 @@ class Reader {
   /// state none.
   double temperatureAbove(const TextBlock& block, bool isReduced) {
     std::optional<HeaderTemperature>& stated = file_.facts.stated;
-    stated = statedTemperature(table_, block, name_, choices_.temperatureUnit, isReduced);
+    stated = statedTemperature({table_, block}, name_, choices_.temperatureUnit, isReduced);
     if (stated) return stated->kelvin;
-    if (const auto line = distrustedTemperature(table_, block))
+    if (const auto line = distrustedTemperature({table_, block}))
       throw InputError(
           name_, "temperature",
           message("is stated nowhere; say at which the moduli were measured with --temperature, "
@@ -371,7 +371,7 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   if (choices.frequencyColumn.empty()) invertPeriods(table, ofCells);
-  DmaFile file = Reader(table, name, choices).read();
+  DmaFile file = DmaReader(table, name, choices).read();
   readShift(table, name, choices, file);
   std::ranges::move(doubtsAbout(table), std::back_inserter(file.facts.notes));
   std::ranges::move(ofCells, std::back_inserter(file.facts.notes));

@@ -145,7 +145,7 @@ void requireUnits(const DmaBlock& in, const DmaColumnFact& one, const DmaColumnF
 /// Returns the note on a Poisson's ratio that the lines above a block state and that is not the one
 /// by which moduli of tension are divided.
 std::optional<Message> otherPoissonNote(const DmaBlock& in) {
-  for (const TextEntry* entry : in.table.entriesAbove(in.block)) {
+  for (const TextEntry* entry : in.entriesAbove()) {
     const std::string line = joinEntry(*entry);
     for (const std::string_view clause : splitClauses(line)) {
       const auto stated = parseStatement(clause);

@@ -58,7 +58,7 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
 void refuseUnitElsewhere(const DmaBlock& in, const DmaColumnFact& fact, const char* option,
                          const std::function<bool(const std::string&)>& isOther) {
   if (!fact.isUnitAssumed) return;
-  if (const auto found = unitOfNoNumber(in.table, in.block, isOther))
+  if (const auto found = unitOfNoNumber(in, isOther))
     throw InputError(in.fileName, fact.name,
                      message("has no unit, and line {} names '{}'; {} says which is meant",
                              found->line, shortened(found->word), option));

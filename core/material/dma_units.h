@@ -15,9 +15,7 @@
 namespace asperity {
 
 /// A block of the table of a file, with what the user states about it.
-struct DmaBlock {
-  const TextTable& table;
-  const TextBlock& block;
+struct DmaBlock : TextPart {
   const std::string& fileName;
   const DmaChoices& choices;
 };

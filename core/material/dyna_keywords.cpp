@@ -33,15 +33,14 @@ bool isSimple(std::string_view keyword) {
 
 /// Returns a card with its fields as words: 10 characters each, unless commas separate them. Throws
 /// InputError where a field has a blank or a tab in it, as in lines that are separated by blanks.
-KeywordLine cardOf(const KeywordLine& line, const std::string& name) {
+KeywordLine cardOf(const KeywordLine& line) {
   if (line.text.find(',') != std::string_view::npos) return line;
   constexpr std::size_t kWidth = 10, kFields = 8;
-  KeywordLine card{{}, line.text, line.number};
+  KeywordLine card{line.file, line.text, line.number};
   for (std::size_t i = 0; i < kFields && i * kWidth < line.text.size(); ++i) {
     const std::string_view field = trimmedBlanks(line.text.substr(i * kWidth, kWidth));
     if (field.find_first_of(" \t") != std::string_view::npos)
-      throw InputError(name, line.key(),
-                       "has fields that are neither 10 characters wide nor separated by commas");
+      line.fail("has fields that are neither 10 characters wide nor separated by commas");
     card.words.push_back(lowerCase(field));
   }
   return card;
@@ -59,7 +58,7 @@ std::vector<KeywordLine> cardsOf(const KeywordFile& file, std::size_t i) {
     if (hasTitle)
       hasTitle = false;
     else
-      cards.push_back(cardOf(line, file.name));
+      cards.push_back(cardOf(line));
   }
   return cards;
 }
@@ -67,12 +66,11 @@ std::vector<KeywordLine> cardsOf(const KeywordFile& file, std::size_t i) {
 /// Returns a number of a card; 0 where the card or its field is blank. Throws InputError where it
 /// is negative unless that is allowed: the number is then that of a curve.
 double fieldAt(const std::vector<KeywordLine>& cards, std::size_t card, std::size_t field,
-               const std::string& name, bool mayBeNegative = false) {
-  if (card >= cards.size() || cards[card].word(field).empty()) return 0;
-  const double number = numberAt(cards[card], field, name);
+               bool mayBeNegative = false) {
+  if (card >= cards.size()) return 0;
+  const double number = cards[card].optionalNumberAt(field).value_or(0);
   if (number < 0 && !mayBeNegative)
-    throw InputError(name, cards[card].key(),
-                     message("has {} in place {}, where a number of at least 0 is read",
+    cards[card].fail(message("has {} in place {}, where a number of at least 0 is read",
                              plain(number), field + 1));
   return number;
 }
@@ -124,9 +122,9 @@ bool fitsRubber(const UnitSystem& system, double density, double glassy) {
 
 /// Returns the only system of units in which the numbers are those of a rubber, and in which moduli
 /// are in the user's unit, if there is one. Throws InputError where there is none, or several.
-const UnitSystem& unitsOf(const KeywordFile& file, const std::string& key, double density,
+const UnitSystem& unitsOf(const PronyChoices& choices, const KeywordLine& card, double density,
                           double glassy) {
-  const auto stated = unitSize(file.choices.modulusUnit, "Pa");
+  const auto stated = unitSize(choices.modulusUnit, "Pa");
   const UnitSystem* found = nullptr;
   bool isUnclear = false;
   for (const UnitSystem& system : kUnitSystems) {
@@ -137,8 +135,7 @@ const UnitSystem& unitsOf(const KeywordFile& file, const std::string& key, doubl
     found = &system;
   }
   if (!found || isUnclear)
-    throw InputError(
-        file.name, key,
+    card.fail(
         message("does not tell its units: a density of {} and a modulus of {} are those of a "
                 "rubber in no or in several systems of units; write the Prony series as a table "
                 "with columns such as tau (s) and G (MPa), whose tau is 1/beta, and the "
@@ -149,43 +146,37 @@ const UnitSystem& unitsOf(const KeywordFile& file, const std::string& key, doubl
 
 // ---- Materials ----------------------------------------------------------------------------------
 
-void readGeneral(const std::vector<KeywordLine>& cards, const KeywordFile& file,
+void readGeneral(const std::vector<KeywordLine>& cards, const PronyChoices& choices,
                  RawSeries& series) {
-  if (fieldAt(cards, 0, 4, file.name) != 0)
-    throw InputError(file.name, cards.front().key(),
-                     "is of an elastic layer (EF), without a series");
-  if (fieldAt(cards, 1, 0, file.name) != 0)
-    throw InputError(file.name, cards[1].key(),
-                     "takes its constants from a curve (LCID), which is not read");
+  if (fieldAt(cards, 0, 4) != 0)
+    cards.front().fail("is of an elastic layer (EF), without a series");
+  if (fieldAt(cards, 1, 0) != 0)
+    cards[1].fail("takes its constants from a curve (LCID), which is not read");
   series.equilibrium = 0;
   for (std::size_t i = 2; i < cards.size(); ++i) {
-    const double modulus = fieldAt(cards, i, 0, file.name), rate = fieldAt(cards, i, 1, file.name);
+    const double modulus = fieldAt(cards, i, 0), rate = fieldAt(cards, i, 1);
     // A term that does not decay is the equilibrium modulus; one without G is of the bulk modulus.
     if (rate == 0)
       series.equilibrium += modulus;
     else if (modulus > 0)
       series.terms.push_back({modulus, 1 / rate, cards[i].number});
   }
-  const auto isStated = [&](std::size_t field) {
-    return fieldAt(cards, 0, field, file.name, true) != 0;
-  };
+  const auto isStated = [&](std::size_t field) { return fieldAt(cards, 0, field, true) != 0; };
   constexpr std::size_t kReference = 5, kA = 6, kB = 7;
   if (!isStated(kA) && !isStated(kB)) return;
   if (isStated(kReference))
-    series.temperature =
-        readReference(numberAt(cards.front(), kReference, file.name), {}, file.choices, series);
+    series.temperature = readReference(cards.front().numberAt(kReference), {}, choices, series);
   series.notes.push_back(
       "the shift with temperature by TREF, A and B is left out, because the sign and the base of "
       "the logarithm that A belongs to are not certain; the series holds at TREF");
 }
 
-void readSimple(const std::vector<KeywordLine>& cards, const KeywordFile& file, RawSeries& series) {
-  const double instantaneous = fieldAt(cards, 0, 3, file.name);
-  series.equilibrium = fieldAt(cards, 0, 4, file.name);
-  const double rate = fieldAt(cards, 0, 5, file.name);
+void readSimple(const std::vector<KeywordLine>& cards, RawSeries& series) {
+  const double instantaneous = fieldAt(cards, 0, 3);
+  series.equilibrium = fieldAt(cards, 0, 4);
+  const double rate = fieldAt(cards, 0, 5);
   if (!(instantaneous > series.equilibrium && rate > 0))
-    throw InputError(file.name, cards.front().key(),
-                     "does not relax: G0 must be above GI, and BETA above 0");
+    cards.front().fail("does not relax: G0 must be above GI, and BETA above 0");
   series.terms.push_back({instantaneous - series.equilibrium, 1 / rate, cards.front().number});
 }
 
@@ -201,33 +192,27 @@ std::optional<RawSeries> dynaSeries(const KeywordFile& file) {
     if (keyword.starts_with("*keyword") && keyword.find("long=") != keyword.npos) isLong = true;
     if (keyword.starts_with("*mat_") && !keyword.starts_with("*mat_add")) ++materials;
     if (!isGeneral(keyword) && !isSimple(keyword)) continue;
-    if (found)
-      throw InputError(file.name, line.key(),
-                       "is a second viscoelastic material; keep the one that is meant alone");
+    if (found) line.fail("is a second viscoelastic material; keep the one that is meant alone");
     found = i;
   }
   if (!found) return {};
   const KeywordLine& keyword = file.lines[*found];
-  if (isLong)
-    throw InputError(file.name, keyword.key(), "is written in the long format, which is not read");
+  if (isLong) keyword.fail("is written in the long format, which is not read");
   const std::vector<KeywordLine> cards = cardsOf(file, *found);
   RawSeries series;
   series.format = "keywords of LS-DYNA";
   series.isRelative = false;
   series.material = materialName(file, *found, cards);
   addMaterialNote(series.material, materials, series);
-  if (cards.empty())
-    throw InputError(file.name, keyword.key(), "is a keyword of LS-DYNA without numbers");
+  if (cards.empty()) keyword.fail("is a keyword of LS-DYNA without numbers");
   if (isGeneral(keyword.words.front()))
-    readGeneral(cards, file, series);
+    readGeneral(cards, file.choices, series);
   else
-    readSimple(cards, file, series);
-  if (series.terms.empty())
-    throw InputError(file.name, keyword.key(),
-                     "is a keyword of LS-DYNA without a pair of GI and BETAI");
-  const double density = fieldAt(cards, 0, 1, file.name);
+    readSimple(cards, series);
+  if (series.terms.empty()) keyword.fail("is a keyword of LS-DYNA without a pair of GI and BETAI");
+  const double density = fieldAt(cards, 0, 1);
   const UnitSystem& units =
-      unitsOf(file, cards.front().key(), density, series.equilibrium + series.totalWeight());
+      unitsOf(file.choices, cards.front(), density, series.equilibrium + series.totalWeight());
   series.unit = units.modulusSize;
   series.isUnitKnown = true;
   for (RawSeries::Term& term : series.terms) term.time *= units.timeSize;

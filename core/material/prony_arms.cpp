@@ -206,21 +206,20 @@ std::string writtenUnit(const TextColumn& column) {
 /// Returns the size in s of the unit of a column of relaxation times. Throws InputError where it is
 /// not known, and where there is none and a line beside the table names another one than seconds;
 /// adds a note where there is none.
-double timeSizeOf(const TextColumn& column, const TextTable& table, const TextBlock& block,
-                  const std::string& name, RawSeries& series) {
+double timeSizeOf(const TextColumn& column, const SeriesBlock& in) {
   const std::string unit = writtenUnit(column);
   if (unit.empty()) {
-    const auto other = unitOfNoNumber(table, block, [](const std::string& word) {
+    const auto other = unitOfNoNumber(in, [](const std::string& word) {
       const auto size = word.size() > 1 ? timeSize(word) : std::nullopt;
       return size && *size != 1;
     });
-    if (other) throw InputError(name, column.name, unitStandsElsewhere(column.name, *other));
-    series.notes.push_back(
+    if (other) throw InputError(in.name, column.name, unitStandsElsewhere(column.name, *other));
+    in.series.notes.push_back(
         message("{} has no unit: seconds are assumed", Message::name(column.name)));
     return 1;
   }
   if (const auto size = timeSize(unit)) return *size;
-  throw InputError(name, column.name,
+  throw InputError(in.name, column.name,
                    message("has the unit {}, which is not one of {}", shortened(unit),
                            "s, ms, \u00B5s, min, h, days"));
 }
@@ -240,12 +239,12 @@ double rateSizeOf(const TextColumn& column, const std::string& name) {
 
 /// Returns the size in Pa s of the unit of a column of viscosities; without one it is that of the
 /// user's modulus times s. Throws InputError where it is not known.
-double viscositySizeOf(const TextColumn& column, const std::string& name,
-                       const PronyChoices& choices) {
+double viscositySizeOf(const TextColumn& column, const SeriesBlock& in) {
   const bool hasUnit = !column.unit.empty() && column.unit != "-";
-  if (const auto size = hasUnit ? viscosityUnit(column.unit) : unitSize(choices.modulusUnit, "Pa"))
+  if (const auto size =
+          hasUnit ? viscosityUnit(column.unit) : unitSize(in.choices.modulusUnit, "Pa"))
     return *size;
-  throw InputError(name, column.name,
+  throw InputError(in.name, column.name,
                    hasUnit ? message("has the unit {}, which is not one of {}",
                                      shortened(column.unit), unitNames("Pa s"))
                            : Message("has no unit; write it after the name, as in eta_i (Pa s)"));
@@ -255,131 +254,125 @@ double viscositySizeOf(const TextColumn& column, const std::string& name,
 
 /// Reads the column of moduli. What has a unit is no part of another modulus; what is in per cent
 /// is one.
-void readWeights(const TextBlock& block, std::size_t column, const std::string& name,
-                 RawSeries& series, SeriesRows& rows) {
-  rows.column = block.columns[column];
+void readWeights(const SeriesBlock& in, std::size_t column, SeriesRows& rows) {
+  rows.column = in.block.columns[column];
   const std::string& unit = rows.column.unit;
   const bool isPercent = unit == "%";
-  series.isUnitKnown = !unit.empty() && unit != "-" && unit != "1" && !isPercent;
-  if (series.isUnitKnown) series.unit = modulusSize(unit, name, rows.column.name);
-  rows.weights = block.column(column);
-  if (!series.isUnitKnown) rows.parts = partsByName(seriesWord(rows.column.name));
+  in.series.isUnitKnown = !unit.empty() && unit != "-" && unit != "1" && !isPercent;
+  if (in.series.isUnitKnown) in.series.unit = modulusSize(unit, in.name, rows.column.name);
+  rows.weights = in.block.column(column);
+  if (!in.series.isUnitKnown) rows.parts = partsByName(seriesWord(rows.column.name));
   if (!isPercent) return;
   for (double& weight : rows.weights) weight *= 0.01;
   if (rows.parts == PartsOf::Unknown) rows.parts = PartsOf::Instantaneous;
 }
 
 /// Reads the column of relaxation times, or of their inverse.
-void readTimes(const TextTable& table, const TextBlock& block, std::size_t column,
-               const std::string& name, RawSeries& series, SeriesRows& rows) {
-  const TextColumn& times = block.columns[column];
+void readTimes(const SeriesBlock& in, std::size_t column, SeriesRows& rows) {
+  const TextColumn& times = in.block.columns[column];
   const bool isRate = isDecayRate(seriesWord(times.name));
-  const double size =
-      isRate ? rateSizeOf(times, name) : timeSizeOf(times, table, block, name, series);
+  const double size = isRate ? rateSizeOf(times, in.name) : timeSizeOf(times, in);
   // What does not decay has no relaxation time.
   const auto timeOf = [&](double number) {
     if (!isRate) return number * size;
     return number == 0 ? RawSeries::kNotStated : 1 / (number * size);
   };
-  rows.times = block.column(column);
+  rows.times = in.block.column(column);
   std::ranges::transform(rows.times, rows.times.begin(), timeOf);
 }
 
 /// Makes moduli of viscosities and relaxation times.
-void divideByTimes(const TextBlock& block, std::size_t viscosity, const std::string& name,
-                   const PronyChoices& choices, RawSeries& series, SeriesRows& rows) {
-  const TextColumn& column = block.columns[viscosity];
-  const double size = viscositySizeOf(column, name, choices);
-  series.unit = unitSize(choices.modulusUnit, "Pa").value_or(1);
-  series.isUnitKnown = true;
+void divideByTimes(const SeriesBlock& in, std::size_t viscosity, SeriesRows& rows) {
+  const TextColumn& column = in.block.columns[viscosity];
+  const double size = viscositySizeOf(column, in);
+  in.series.unit = unitSize(in.choices.modulusUnit, "Pa").value_or(1);
+  in.series.isUnitKnown = true;
   rows.column = {column.name, "Pa", false};
-  rows.weights = block.column(viscosity);
-  for (std::size_t row = 0; row < block.rows; ++row) {
+  rows.weights = in.block.column(viscosity);
+  for (std::size_t row = 0; row < in.block.rows; ++row) {
     double& weight = rows.weights[row];
     const double time = rows.times[row];
     if (!std::isfinite(weight)) continue;
     if (!std::isfinite(time))
-      throw InputError(name, fmt::format("line {}", block.lines[row]),
+      throw InputError(in.name, fmt::format("line {}", in.block.lines[row]),
                        "has a viscosity and no relaxation time");
-    if (time != 0) weight = weight * size / time / series.unit;
+    if (time != 0) weight = weight * size / time / in.series.unit;
   }
-  series.notes.push_back(
+  in.series.notes.push_back(
       message("moduli are {} divided by the relaxation times", Message::name(column.name)));
 }
 
 /// Makes relaxation times of viscosities and moduli.
-void divideByModuli(const TextBlock& block, std::size_t viscosity, const std::string& name,
-                    const PronyChoices& choices, RawSeries& series, SeriesRows& rows) {
-  const TextColumn& column = block.columns[viscosity];
-  const double size = viscositySizeOf(column, name, choices);
-  const auto chosen = unitSize(choices.modulusUnit, "Pa");
-  if (!chosen && !series.isUnitKnown)
-    throw InputError(name, rows.column.name,
+void divideByModuli(const SeriesBlock& in, std::size_t viscosity, SeriesRows& rows) {
+  const TextColumn& column = in.block.columns[viscosity];
+  const double size = viscositySizeOf(column, in);
+  const auto chosen = unitSize(in.choices.modulusUnit, "Pa");
+  if (!chosen && !in.series.isUnitKnown)
+    throw InputError(in.name, rows.column.name,
                      message("has no unit, and {} is in {}; say with --modulus-unit which unit "
                              "both have",
                              column.name, column.unit));
-  series.isUnitKnown = true;
-  rows.times = block.column(viscosity);
-  for (std::size_t row = 0; row < block.rows; ++row) {
-    const double modulus = rows.weights[row] * chosen.value_or(series.unit);
+  in.series.isUnitKnown = true;
+  rows.times = in.block.column(viscosity);
+  for (std::size_t row = 0; row < in.block.rows; ++row) {
+    const double modulus = rows.weights[row] * chosen.value_or(in.series.unit);
     // An arm without a modulus bears nothing, whatever its time.
     const bool isArm = std::isfinite(modulus) && modulus != 0;
     rows.times[row] = isArm ? rows.times[row] * size / modulus : 1;
   }
-  series.notes.push_back(
+  in.series.notes.push_back(
       message("relaxation times are {} divided by the moduli", Message::name(column.name)));
 }
 
 /// Notes viscosities that contradict the product of moduli and relaxation times, by more than a
 /// tenth in the median.
-void noteViscosities(const TextBlock& block, std::size_t viscosity, const PronyChoices& choices,
-                     const SeriesRows& rows, RawSeries& series) {
-  const auto size = viscosityUnit(block.columns[viscosity].unit);
-  if (!size || !series.isUnitKnown) return;
-  const double unit = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
+void noteViscosities(const SeriesBlock& in, std::size_t viscosity, const SeriesRows& rows) {
+  const auto size = viscosityUnit(in.block.columns[viscosity].unit);
+  if (!size || !in.series.isUnitKnown) return;
+  const double unit = unitSize(in.choices.modulusUnit, "Pa").value_or(in.series.unit);
   std::vector<double> ratios;
-  for (std::size_t row = 0; row < block.rows; ++row) {
+  for (std::size_t row = 0; row < in.block.rows; ++row) {
     const double product = rows.weights[row] * unit * rows.times[row];
-    const double stated = block.at(row, viscosity) * *size;
+    const double stated = in.block.at(row, viscosity) * *size;
     if (std::isfinite(product) && std::isfinite(stated) && product > 0)
       ratios.push_back(stated / product);
   }
   if (const auto ratio = contradictingRatio(std::move(ratios)))
-    series.notes.push_back(message(
+    in.series.notes.push_back(message(
         "{} contradicts the moduli and relaxation times, which are read: in the median it is {} "
         "times their product",
-        Message::name(block.label(viscosity)), printed(*ratio, 3)));
+        Message::name(in.block.label(viscosity)), printed(*ratio, 3)));
 }
 
 /// Reads the arms of a table into the series, and the row of the equilibrium modulus.
-SeriesRows readRows(const TextTable& table, const TextBlock& block, const SeriesColumns& columns,
-                    const std::string& name, const PronyChoices& choices, RawSeries& series) {
+SeriesRows readRows(const SeriesBlock& in, const SeriesColumns& columns) {
   SeriesRows rows;
-  if (columns.modulus) readWeights(block, *columns.modulus, name, series, rows);
-  if (columns.time) readTimes(table, block, *columns.time, name, series, rows);
-  if (!columns.modulus) divideByTimes(block, *columns.viscosity, name, choices, series, rows);
-  if (!columns.time) divideByModuli(block, *columns.viscosity, name, choices, series, rows);
+  if (columns.modulus) readWeights(in, *columns.modulus, rows);
+  if (columns.time) readTimes(in, *columns.time, rows);
+  if (!columns.modulus) divideByTimes(in, *columns.viscosity, rows);
+  if (!columns.time) divideByModuli(in, *columns.viscosity, rows);
   if (columns.modulus && columns.time && columns.viscosity)
-    noteViscosities(block, *columns.viscosity, choices, rows, series);
+    noteViscosities(in, *columns.viscosity, rows);
   std::size_t leftOut = 0;
-  for (std::size_t row = 0; row < block.rows; ++row) {
+  for (std::size_t row = 0; row < in.block.rows; ++row) {
     const double weight = rows.weights[row], time = rows.times[row];
     if (!std::isfinite(weight)) {
       if (std::isfinite(time)) ++leftOut;
     } else if (std::isfinite(time)) {
-      series.terms.push_back({weight, time, block.lines[row]});
+      in.series.terms.push_back({weight, time, in.block.lines[row]});
       rows.sum += weight;
       rows.most = std::max(rows.most, weight);
     } else if (std::isfinite(rows.equilibrium)) {
-      throw InputError(name, fmt::format("line {}", block.lines[row]),
+      throw InputError(in.name, fmt::format("line {}", in.block.lines[row]),
                        "is a second row without a relaxation time; one, of the equilibrium "
                        "modulus, is allowed");
     } else {
       rows.equilibrium = weight;
     }
   }
-  if (series.terms.empty()) throw InputError(name, "", "holds no relaxation time");
-  if (leftOut > 0) series.notes.push_back(message("rows without a value, left out: {}", leftOut));
+  if (in.series.terms.empty()) throw InputError(in.name, "", "holds no relaxation time");
+  if (leftOut > 0)
+    in.series.notes.push_back(message("rows without a value, left out: {}", leftOut));
   return rows;
 }
 
@@ -443,7 +436,7 @@ std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std
   undoSeriesLogarithms(table, block, series);
   const std::optional<SeriesColumns> columns = seriesColumns(block, name);
   if (!columns) return {};
-  SeriesRows rows = readRows(table, block, *columns, name, choices, series);
+  SeriesRows rows = readRows({{table, block}, name, choices, series}, *columns);
   decideParts(name, series, rows);
   return rows;
 }

@@ -17,12 +17,10 @@
 namespace asperity {
 namespace {
 
-std::vector<KeywordLine> splitIntoLines(std::string_view text) {
+std::vector<KeywordLine> splitIntoLines(std::string_view text, const std::string& name) {
   std::vector<KeywordLine> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
-    KeywordLine next;
-    next.text = takeLine(text);
-    next.number = number;
+    KeywordLine next{name, takeLine(text), number};
     std::string word;
     for (const char letter : lowerCase(next.text)) {
       if (letter == ',') {
@@ -62,7 +60,7 @@ void checkShift(const TemperatureShift& shift, const std::string& name) {
 // ---- Other programs ----------------------------------------------------------------------------
 
 /// Throws InputError where a file has materials of finite-element programs that are not read.
-void refuseOthers(const std::vector<KeywordLine>& lines, const std::string& name) {
+void refuseOthers(const std::vector<KeywordLine>& lines) {
   constexpr std::pair<std::string_view, const char*> kOthers[] = {{"*mat_", "LS-DYNA"},
                                                                   {"matve", "Nastran"},
                                                                   {"/visc/", "Radioss"},
@@ -71,8 +69,7 @@ void refuseOthers(const std::vector<KeywordLine>& lines, const std::string& name
   for (const KeywordLine& line : lines)
     for (const auto& [begin, program] : kOthers)
       if (line.words.front().starts_with(begin))
-        throw InputError(
-            name, line.key(),
+        line.fail(
             message("is a keyword of {} that is not read; those of Abaqus, Ansys and LS-DYNA "
                     "(*MAT_GENERAL_VISCOELASTIC, *MAT_VISCOELASTIC) are, or write the Prony series "
                     "as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the "
@@ -128,26 +125,23 @@ Message listTemperatures(std::vector<double> kelvins) {
 
 /// Returns the row of a table at the wanted temperature (K), which is the reference of the shift or
 /// was chosen. Throws InputError where no row is within the tolerance, and where several are.
-std::size_t rowAt(double wanted, const std::vector<double>& kelvins, const std::string& key,
+std::size_t rowAt(double wanted, const std::vector<double>& kelvins, const KeywordLine& line,
                   const KeywordFile& file, bool isReference) {
   const double tolerance = file.choices.temperatureTolerance;
   const auto nearest = std::ranges::min_element(
       kelvins, {}, [&](double kelvin) { return std::abs(kelvin - wanted); });
   if (std::abs(*nearest - wanted) > tolerance)
-    throw InputError(
-        file.name, key,
-        isReference
-            ? message("has values at {} and none within {} K of the reference of the shift, "
-                      "{}; --temperature-tolerance allows more, or give "
-                      "--equilibrium-modulus",
-                      listTemperatures(kelvins), tolerance, celsius(wanted))
-            : message("has values at {} and none within {} K of {}; choose one of these with "
-                      "--temperature, or allow more with --temperature-tolerance",
-                      listTemperatures(kelvins), tolerance, celsius(wanted)));
+    line.fail(isReference
+                  ? message("has values at {} and none within {} K of the reference of the shift, "
+                            "{}; --temperature-tolerance allows more, or give "
+                            "--equilibrium-modulus",
+                            listTemperatures(kelvins), tolerance, celsius(wanted))
+                  : message("has values at {} and none within {} K of {}; choose one of these with "
+                            "--temperature, or allow more with --temperature-tolerance",
+                            listTemperatures(kelvins), tolerance, celsius(wanted)));
   if (std::ranges::count(kelvins, *nearest) > 1)
-    throw InputError(file.name, key,
-                     message("has more than one row at {}; keep the one that is meant alone",
-                             celsius(*nearest)));
+    line.fail(message("has more than one row at {}; keep the one that is meant alone",
+                      celsius(*nearest)));
   return static_cast<std::size_t>(nearest - kelvins.begin());
 }
 
@@ -163,11 +157,19 @@ std::string KeywordLine::key() const {
   return fmt::format("line {}", number);
 }
 
-double numberAt(const KeywordLine& line, std::size_t index, const std::string& name) {
+double KeywordLine::numberAt(std::size_t index) const {
   double value = 0;
-  if (index >= line.words.size() || !readTextNumber(line.words[index], '.', value))
-    throw InputError(name, line.key(), message("needs a number in place {}", index + 1));
+  if (index >= words.size() || !readTextNumber(words[index], '.', value))
+    fail(message("needs a number in place {}", index + 1));
   return value;
+}
+
+std::optional<double> KeywordLine::optionalNumberAt(std::size_t index) const {
+  return word(index).empty() ? std::nullopt : std::optional(numberAt(index));
+}
+
+void KeywordLine::fail(const Message& message) const {
+  throw InputError(std::string(file), key(), message);
 }
 
 double readReference(double number, std::optional<double> absoluteZero, const PronyChoices& choices,
@@ -226,7 +228,7 @@ std::vector<std::size_t> chooseRows(const std::vector<TemperatureRows>& tables,
     std::optional<double> used;
     for (std::size_t i = 0; i < tables.size(); ++i) {
       if (stated[i].empty()) continue;
-      rows[i] = rowAt(wanted, stated[i], tables[i].key, file, series.shift.has_value());
+      rows[i] = rowAt(wanted, stated[i], tables[i].line, file, series.shift.has_value());
       if (!used) used = stated[i][rows[i]];
     }
     series.temperature = used;
@@ -250,7 +252,7 @@ std::vector<std::size_t> chooseRows(const std::vector<TemperatureRows>& tables,
 
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices) {
-  const std::vector<KeywordLine> lines = splitIntoLines(text);
+  const std::vector<KeywordLine> lines = splitIntoLines(text, name);
   const auto read = [&](bool hasModulus) {
     const KeywordFile file{lines, name, choices, hasModulus};
     std::optional<RawSeries> series = abaqusSeries(file);
@@ -265,7 +267,7 @@ std::optional<RawSeries> keywordSeries(std::string_view text, const std::string&
     if (!choices.statesModulus()) throw;
     series = read(false);
   }
-  if (!series) refuseOthers(lines, name);
+  if (!series) refuseOthers(lines);
   if (series && series->shift) checkShift(*series->shift, name);
   if (series && series->temperature)
     checkRange("T", *series->temperature, kColdest, kHottest, "temperature", name);

@@ -23,14 +23,21 @@ std::optional<RawSeries> keywordSeries(std::string_view text, const std::string&
 // ---- What the readers share
 
 struct KeywordLine {
-  std::vector<std::string> words;  // separated by commas, in lower case, without blanks
-  std::string_view text;           // as it was written
-  std::size_t number = 0;
+  std::string_view file{};           // its name
+  std::string_view text{};           // as it was written
+  std::size_t number = 0;            // 0: there is no such line
+  std::vector<std::string> words{};  // separated by commas, in lower case, without blanks
 
   /// Returns a word; empty beyond the last one.
   std::string word(std::size_t index) const;
+  /// Returns the number in a place, counted from 0. Throws InputError where there is none.
+  double numberAt(std::size_t index) const;
+  /// Returns the same; nothing where the place is empty.
+  std::optional<double> optionalNumberAt(std::size_t index) const;
   /// Returns "line 4", by which errors name it.
   std::string key() const;
+  /// Throws InputError that names the file and the line.
+  [[noreturn]] void fail(const Message& message) const;
 };
 
 /// The file that is read.
@@ -40,9 +47,6 @@ struct KeywordFile {
   const PronyChoices& choices;
   bool hasModulus = true;  // whether its modulus is read, or left to the choices
 };
-
-/// Returns the number in a place of a line, counted from 0. Throws InputError where there is none.
-double numberAt(const KeywordLine& line, std::size_t index, const std::string& name);
 
 /// Returns the reference temperature of a shift in K. absoluteZero: in the file's unit, where the
 /// file states it.
@@ -57,7 +61,7 @@ void addMaterialNote(const std::string& material, std::size_t materials, RawSeri
 
 /// A table whose rows hold at one temperature each.
 struct TemperatureRows {
-  std::string key{};  // "line 4", by which errors name it
+  KeywordLine line{};  // that begins the table, by which errors name it
   /// In the unit of the file; nothing where a row states none, which finite-element programs read
   /// as 0. A single row at 0 states no temperature either: programs write 0 where none was chosen.
   std::vector<std::optional<double>> temperatures{};

@@ -414,10 +414,9 @@ std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::stri
   TextBlock block;
   block.header = std::move(stated.others);
   block.rows = indices.size();
-  std::vector<std::vector<double>> columns;
   for (const auto& [part, numbers] : parts) {
     // Viscosities beside both others only say the same; they are compared where each arm has one.
-    if (columns.size() == 2 && numbers.size() < indices.size()) break;
+    if (block.columns.size() == 2 && numbers.size() < indices.size()) break;
     ArmColumn arms;
     std::vector<double> values;
     for (const std::string& index : indices) {
@@ -430,16 +429,12 @@ std::optional<TextTable> tableOfNamedArms(std::string_view text, const std::stri
       arms.push_back(found->second);
       values.push_back(found->second->number);
     }
-    block.columns.push_back(unifiedColumn(arms, name, values));
-    columns.push_back(std::move(values));
+    TextColumn column = unifiedColumn(arms, name, values);
+    block.append(std::move(column), values);
     if (block.lines.empty())  // those of the moduli or, without them, of the times
       for (const ArmNumber* one : arms)
         block.lines.push_back(static_cast<std::uint32_t>(one->line));
   }
-  for (std::size_t row = 0; row < block.rows; ++row)
-    for (const std::vector<double>& column : columns) block.values.push_back(column[row]);
-  block.texts.resize(columns.size());
-  block.cells.resize(columns.size());
   TextTable table;
   table.dialect.decimal = '.';
   table.blocks.push_back(std::move(block));

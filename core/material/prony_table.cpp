@@ -68,9 +68,9 @@ std::optional<StatedModulus> statedModulus(std::string_view clause) {
 
 /// Returns the moduli that the lines around the table of a series state: above and below it, and
 /// above a table of shift factors or one without names. Other tables have headers of their own.
-std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock& block) {
-  const bool isOnly = std::ranges::all_of(table.blocks, [&block](const TextBlock& one) {
-    return &one == &block || isShiftTable(one) || !one.hasNames();
+std::vector<StatedModulus> statedModuli(const TextPart& in) {
+  const bool isOnly = std::ranges::all_of(in.table.blocks, [&in](const TextBlock& one) {
+    return &one == &in.block || isShiftTable(one) || !one.hasNames();
   });
   std::vector<StatedModulus> found;
   const auto read = [&found](const std::vector<TextEntry>& entries) {
@@ -80,9 +80,9 @@ std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock&
         if (auto stated = statedModulus(clause)) found.push_back(std::move(*stated));
     }
   };
-  for (const TextBlock& one : table.blocks)
-    if (isOnly || &one == &block) read(one.header);
-  if (isOnly) read(table.trailer);
+  for (const TextBlock& one : in.table.blocks)
+    if (isOnly || &one == &in.block) read(one.header);
+  if (isOnly) read(in.table.trailer);
   return found;
 }
 
@@ -95,59 +95,58 @@ bool fitsStated(double sum, double stated, bool isInstantaneous) {
 
 /// Gives moduli without a unit one where others have one: that of the others, or Pa, whichever
 /// alone makes both fit, which a note says. Throws InputError where neither or both would.
-/// sum: of the numbers of the arms.
-void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulus>& stated,
-                 const std::string& name, RawSeries& series) {
-  if (series.isRelative) return;
-  const auto note = [&series](const std::string& key, const std::string& unit) {
-    series.notes.push_back(message("{} has no unit: {} is assumed, which fits the other moduli",
-                                   Message::name(key), Message::name(unit)));
+void assumeUnits(const SeriesBlock& in, const SeriesRows& rows,
+                 std::vector<StatedModulus>& stated) {
+  if (in.series.isRelative) return;
+  const auto note = [&in](const std::string& key, const std::string& unit) {
+    in.series.notes.push_back(message("{} has no unit: {} is assumed, which fits the other moduli",
+                                      Message::name(key), Message::name(unit)));
   };
   for (StatedModulus& one : stated) {
-    if (one.number == 0 || one.unit.empty() == !series.isUnitKnown) continue;
-    if (series.isUnitKnown) {
-      const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
-      const bool inPascals = fitsStated(sum * series.unit, one.number, one.isInstantaneous);
-      if (series.unit == 1 ? !inOthers : inOthers == inPascals)
-        throw InputError(name, one.key,
+    if (one.number == 0 || one.unit.empty() == !in.series.isUnitKnown) continue;
+    if (in.series.isUnitKnown) {
+      const bool inOthers = fitsStated(rows.sum, one.number, one.isInstantaneous);
+      const bool inPascals = fitsStated(rows.sum * in.series.unit, one.number, one.isInstantaneous);
+      if (in.series.unit == 1 ? !inOthers : inOthers == inPascals)
+        throw InputError(in.name, one.key,
                          message("has no unit, and {} is in {}; write its unit after the number",
-                                 Message::name(weights.name), Message::name(weights.unit)));
-      one.unit = inOthers ? weights.unit : "Pa";
+                                 Message::name(rows.column.name), Message::name(rows.column.unit)));
+      one.unit = inOthers ? rows.column.unit : "Pa";
       note(one.key, one.unit);
       continue;
     }
-    const double size = modulusSize(one.unit, name, one.key);
-    const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
-    const bool inPascals = fitsStated(sum, one.number * size, one.isInstantaneous);
+    const double size = modulusSize(one.unit, in.name, one.key);
+    const bool inOthers = fitsStated(rows.sum, one.number, one.isInstantaneous);
+    const bool inPascals = fitsStated(rows.sum, one.number * size, one.isInstantaneous);
     // Small letters are those of parts, which may be in per cent.
-    const bool isPart = weights.name.starts_with('g') || weights.name.starts_with('e');
+    const bool isPart = rows.column.name.starts_with('g') || rows.column.name.starts_with('e');
     // Neither a modulus nor the part of one fits: what is wrong is said of parts.
     constexpr double kWhole = 1, kMaxParts = 10;
-    if (isPart && one.isInstantaneous && sum > kWhole && sum < kMaxParts)
+    if (isPart && one.isInstantaneous && rows.sum > kWhole && rows.sum < kMaxParts)
       throw InputError(
-          name, weights.name,
+          in.name, rows.column.name,
           message("has no unit and adds up to {:.6g}; parts of the instantaneous modulus add up to "
                   "at most 1, and moduli need their unit: correct the parts, or say with "
                   "--modulus-unit which unit the moduli have",
-                  sum));
+                  rows.sum));
     if (size == 1 ? !inOthers : inOthers == inPascals || (isPart && inOthers))
       throw InputError(
-          name, weights.name,
+          in.name, rows.column.name,
           message("has no unit, and {} is in {}; say with --modulus-unit which unit both have",
                   Message::name(one.key), Message::name(one.unit)));
-    series.unit = inOthers ? size : 1;
-    series.isUnitKnown = true;
-    note(weights.name, inOthers ? std::string(withoutBrackets(one.unit)) : "Pa");
+    in.series.unit = inOthers ? size : 1;
+    in.series.isUnitKnown = true;
+    note(rows.column.name, inOthers ? std::string(withoutBrackets(one.unit)) : "Pa");
     return;
   }
 }
 
 /// Returns the kind of moduli of a series. The user's word precedes the file's; without both they
 /// are of shear, which a note says.
-ModulusKind kindOfSeries(ModulusKind stated, const PronyChoices& choices, RawSeries& series) {
-  if (choices.modulus != ModulusKind::Unknown) return choices.modulus;
+ModulusKind kindOfSeries(ModulusKind stated, const SeriesBlock& in) {
+  if (in.choices.modulus != ModulusKind::Unknown) return in.choices.modulus;
   if (stated != ModulusKind::Unknown) return stated;
-  series.notes.push_back(
+  in.series.notes.push_back(
       "the file does not say of which kind its moduli are: shear is assumed; --modulus tension "
       "says otherwise");
   return ModulusKind::Shear;
@@ -155,77 +154,75 @@ ModulusKind kindOfSeries(ModulusKind stated, const PronyChoices& choices, RawSer
 
 /// Reads the moduli that the row of equilibrium and the lines around the table state, and turns all
 /// of them into those of shear.
-void readModuli(const TextTable& table, const TextBlock& block, const SeriesRows& rows,
-                const std::string& name, const PronyChoices& choices, RawSeries& series) {
+void readModuli(const SeriesBlock& in, const SeriesRows& rows) {
   std::vector<StatedModulus> above;
-  for (const StatedModulus& stated : statedModuli(table, block)) {
+  for (const StatedModulus& stated : statedModuli(in)) {
     // Without a unit and below 1 it is a part of the instantaneous modulus, which the others
     // leave.
-    const bool isPart = series.isRelative && rows.parts != PartsOf::Equilibrium &&
+    const bool isPart = in.series.isRelative && rows.parts != PartsOf::Equilibrium &&
                         stated.unit.empty() && stated.number < 1;
     if (!isPart) above.push_back(stated);
   }
-  if (choices.modulusUnit.empty()) assumeUnits(rows.column, rows.sum, above, name, series);
-  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
+  if (in.choices.modulusUnit.empty()) assumeUnits(in, rows, above);
+  const double wanted = unitSize(in.choices.modulusUnit, "Pa").value_or(in.series.unit);
   // The letter g of a part says nothing about the modulus of which it is one, and eta is that of no
   // kind.
   const std::string letter = modulusLetter(rows.column.name);
   const ModulusKind ofColumn =
       isArmViscosity(letter) ? ModulusKind::Unknown : kindOfModulus(letter);
-  ModulusKind kind = series.isRelative ? ModulusKind::Unknown : ofColumn;
+  ModulusKind kind = in.series.isRelative ? ModulusKind::Unknown : ofColumn;
   for (const StatedModulus& stated : above)
     if (kind == ModulusKind::Unknown) kind = stated.kind;
   if (kind == ModulusKind::Unknown && ofColumn == ModulusKind::Tension) kind = ModulusKind::Tension;
-  if (!series.isRelative || !above.empty() || !choices.statesModulus())
-    kind = kindOfSeries(kind, choices, series);
+  if (!in.series.isRelative || !above.empty() || !in.choices.statesModulus())
+    kind = kindOfSeries(kind, in);
   const auto shearFactor = [&](ModulusKind one) {
-    return one == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
+    return one == ModulusKind::Tension ? shearFromYoungs(1, in.choices.poissonRatio) : 1;
   };
-  bool isDivided = !series.isRelative && kind == ModulusKind::Tension;
-  if (!series.isRelative)
-    for (RawSeries::Term& term : series.terms) term.weight *= shearFactor(kind);
+  bool isDivided = !in.series.isRelative && kind == ModulusKind::Tension;
+  if (!in.series.isRelative)
+    for (RawSeries::Term& term : in.series.terms) term.weight *= shearFactor(kind);
   // Below 1 it is a part, too: what the others leave.
   if (std::isfinite(rows.equilibrium) &&
-      (!series.isRelative || (rows.parts == PartsOf::Unknown && rows.equilibrium >= 1)))
-    series.equilibrium = rows.equilibrium * shearFactor(kind);
+      (!in.series.isRelative || (rows.parts == PartsOf::Unknown && rows.equilibrium >= 1)))
+    in.series.equilibrium = rows.equilibrium * shearFactor(kind);
   for (const StatedModulus& stated : above) {
     const bool isOwn =
-        choices.modulus == ModulusKind::Unknown && stated.kind != ModulusKind::Unknown;
+        in.choices.modulus == ModulusKind::Unknown && stated.kind != ModulusKind::Unknown;
     const ModulusKind own = isOwn ? stated.kind : kind;
     const double size =
-        stated.unit.empty() ? 1 : modulusSize(stated.unit, name, stated.key) / wanted;
-    (stated.isInstantaneous ? series.instantaneous : series.equilibrium) =
+        stated.unit.empty() ? 1 : modulusSize(stated.unit, in.name, stated.key) / wanted;
+    (stated.isInstantaneous ? in.series.instantaneous : in.series.equilibrium) =
         stated.number * size * shearFactor(own);
     isDivided = isDivided || own == ModulusKind::Tension;
   }
   if (isDivided)
-    series.notes.push_back(dividedForShear(choices.poissonRatio));
+    in.series.notes.push_back(dividedForShear(in.choices.poissonRatio));
   else if (kind == ModulusKind::Shear)
-    series.notes.push_back("moduli of shear, not divided");
+    in.series.notes.push_back("moduli of shear, not divided");
 }
 
 /// Reads the temperature and the shift that a table states. The user's temperature precedes, and is
 /// that of a shift without a reference.
-void readTemperature(const TextTable& table, const TextBlock& block, const std::string& name,
-                     const PronyChoices& choices, RawSeries& series) {
-  series.temperature = choices.temperature;
-  std::optional<double> reference = choices.temperature;
+void readTemperature(const SeriesBlock& in) {
+  in.series.temperature = in.choices.temperature;
+  std::optional<double> reference = in.choices.temperature;
   try {
-    const auto stated = statedTemperature(table, block, name, choices.temperatureUnit, true);
+    const auto stated = statedTemperature(in, in.name, in.choices.temperatureUnit, true);
     const auto inFile = stated ? std::optional(stated->kelvin) : std::nullopt;
-    if (!choices.temperature) series.temperature = inFile;
-    if (!choices.temperature && stated)
-      series.notes.push_back(message("temperature: {} (line {}: {})", celsius(stated->kelvin),
-                                     stated->line, Message::name(shortened(stated->text))));
+    if (!in.choices.temperature) in.series.temperature = inFile;
+    if (!in.choices.temperature && stated)
+      in.series.notes.push_back(message("temperature: {} (line {}: {})", celsius(stated->kelvin),
+                                        stated->line, Message::name(shortened(stated->text))));
     constexpr double kSame = 1e-6;  // K, of converted degrees
     if (inFile && !(reference && std::abs(*inFile - *reference) < kSame)) reference = inFile;
   } catch (const InputError&) {
-    if (!choices.temperature) throw;
+    if (!in.choices.temperature) throw;
   }
   if (!reference) return;
-  StatedShift stated = statedShift(table, *reference, name, choices.temperatureUnit);
-  series.shift = std::move(stated.shift);
-  std::ranges::move(stated.notes, std::back_inserter(series.notes));
+  StatedShift stated = statedShift(in.table, *reference, in.name, in.choices.temperatureUnit);
+  in.series.shift = std::move(stated.shift);
+  std::ranges::move(stated.notes, std::back_inserter(in.series.notes));
 }
 
 /// Returns whether a table has relaxation times and moduli of arms by the names of its columns.
@@ -261,8 +258,9 @@ std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
   series.format = "a table of relaxation times and moduli";
   const std::optional<SeriesRows> rows = readArms(table, *block, name, choices, series);
   if (!rows) return {};
-  readModuli(table, *block, *rows, name, choices, series);
-  readTemperature(table, *block, name, choices, series);
+  const SeriesBlock in{{table, *block}, name, choices, series};
+  readModuli(in, *rows);
+  readTemperature(in);
   std::ranges::move(doubtsAbout(table), std::back_inserter(series.notes));
   return series;
 }

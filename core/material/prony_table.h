@@ -56,6 +56,13 @@ PartsOf partsByName(std::string_view word);
 
 // ---- Rows (prony_arms.cpp) ----------------------------------------------------------------------
 
+/// The block of a series, with what the user states about the file, and the series that is made.
+struct SeriesBlock : TextPart {
+  const std::string& name;  // of the file
+  const PronyChoices& choices;
+  RawSeries& series;
+};
+
 /// What the rows of a table hold. Weights are in the unit of the series.
 struct SeriesRows {
   TextColumn column{};  // of the weights, with their unit

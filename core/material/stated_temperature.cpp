@@ -334,9 +334,8 @@ std::optional<double> statedShiftReference(const TextTable& table, const std::st
   return {};
 }
 
-std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
-                                                       const TextBlock& block) {
-  for (const TextBlock& one : std::views::reverse(table.blocksUpTo(block)))
+std::optional<HeaderTemperature> distrustedTemperature(const TextPart& in) {
+  for (const TextBlock& one : std::views::reverse(in.blocksUpTo()))
     for (const TextEntry& entry : one.header)
       if (const auto found = findTemperature(joinEntry(entry)))
         return {{*found, entry.line, entry.written}};
@@ -352,13 +351,12 @@ std::optional<HeaderTemperature> temperatureInName(const std::string& fileName) 
                : std::nullopt;
 }
 
-std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,
-                                                   const std::string& name, const std::string& unit,
-                                                   bool isReduced) {
+std::optional<HeaderTemperature> statedTemperature(const TextPart& in, const std::string& name,
+                                                   const std::string& unit, bool isReduced) {
   std::array order{Rank::Test, Rank::Reference, Rank::Measured, Rank::Bare, Rank::ShiftReference};
   if (isReduced) std::swap(order[0], order[1]);
   HeaderReader reader(name, unit, true);
-  for (const TextBlock& one : std::views::reverse(table.blocksUpTo(block))) {
+  for (const TextBlock& one : std::views::reverse(in.blocksUpTo())) {
     const std::vector<Statement> all = reader.read(one.header);
     for (const Rank rank : order) {
       std::vector<Statement> some;

@@ -33,14 +33,12 @@ struct HeaderTemperature {
 /// isReduced: whether the table is a master curve, for which a reference temperature precedes one
 /// of the test. Throws InputError where two different temperatures are stated, or one below
 /// kColdestTest.
-std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,
-                                                   const std::string& name, const std::string& unit,
-                                                   bool isReduced);
+std::optional<HeaderTemperature> statedTemperature(const TextPart& in, const std::string& name,
+                                                   const std::string& unit, bool isReduced);
 
 /// Returns the temperature above a block that statedTemperature does not take for that of the test,
 /// of the first line with one.
-std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
-                                                       const TextBlock& block);
+std::optional<HeaderTemperature> distrustedTemperature(const TextPart& in);
 
 /// Returns the one temperature that the name of a file states as a line above a table would:
 /// "NR-CB50_23C.csv", "Sample 3 (60 °C).txt".

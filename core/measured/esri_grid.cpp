@@ -83,8 +83,7 @@ class EsriReader {
     const auto count = [this](std::string_view key) {
       const auto number = parseQuantity(table_.entry(key, block()));
       const auto whole = number ? wholeNumber(number->number) : std::nullopt;
-      if (!whole || *whole < 1)
-        source_.fail(message("{} in the header is not a number above 0", key));
+      if (!whole || *whole < 1) source_.failNotAboveZero(key);
       return *whole;
     };
     const std::int64_t columns = count("ncols"), rows = count("nrows");

@@ -120,9 +120,6 @@ std::optional<GridNumbers> findGridNumbers(const TextBlock& block, const ColumnR
     const std::string name = lowerCase(column.name);
     return column.unit.empty() && !isPositionName(name) && !isRowName(name);
   };
-  const auto nameOf = [&block](int column) -> const std::string& {
-    return block.columns[static_cast<std::size_t>(column)].name;
-  };
   std::vector<Numbers> numbers(columns);
   for (std::size_t i = 0; i < columns; ++i)
     if (mayNumber(i)) numbers[i] = numbersOf(block, i);
@@ -140,7 +137,7 @@ std::optional<GridNumbers> findGridNumbers(const TextBlock& block, const ColumnR
       const auto isOther = [&](int column) {
         return column >= 0 && column != static_cast<int>(one) && column != static_cast<int>(other);
       };
-      if (isOther(roles.x) && isPositionName(lowerCase(nameOf(roles.x)))) return {};
+      if (isOther(roles.x) && isPositionName(lowerCase(columnAt(block, roles.x).name))) return {};
       GridNumbers found{static_cast<int>(one), static_cast<int>(other), -1};
       if (rowsComeFirst(block, one, other)) std::swap(found.column, found.row);
       // Heights that rise all along may have been taken for positions.

@@ -11,11 +11,11 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "Gwyddion Simple Field 1.0\n";
+constexpr std::string_view kGsfMagic = "Gwyddion Simple Field 1.0\n";
 
-class Header {
+class GsfHeader {
  public:
-  Header(const SurfaceSource& source, std::string_view text) : source_(source) {
+  GsfHeader(const SurfaceSource& source, std::string_view text) : source_(source) {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       const std::string_view line = text.substr(0, end);
@@ -31,21 +31,18 @@ class Header {
   }
   std::int64_t count(const std::string& key) const {
     std::int64_t value = 0;
-    if (text(key).empty()) source_.fail(message("the header has no {}", key));
-    if (!readNumber(text(key), value) || value < 1) wrong(key);
+    if (text(key).empty()) source_.failWithout(key);
+    if (!readNumber(text(key), value) || value < 1) source_.failNotAboveZero(key);
     return value;
   }
   double size(const std::string& key) const {
     double value = 1;
-    if (!text(key).empty() && (!readTextNumber(text(key), '.', value) || !(value > 0))) wrong(key);
+    if (!text(key).empty() && (!readTextNumber(text(key), '.', value) || !(value > 0)))
+      source_.failNotAboveZero(key);
     return value;
   }
 
  private:
-  [[noreturn]] void wrong(const std::string& key) const {
-    source_.fail(message("{} in the header is not a number above 0", key));
-  }
-
   const SurfaceSource& source_;
   std::map<std::string, std::string_view> values_;
 };
@@ -57,11 +54,11 @@ bool isGsf(const SurfaceSource& source) {
 }
 
 SurfaceDraft readGsf(const SurfaceSource& source) {
-  if (!source.bytes.starts_with(kMagic)) source.fail(message("is not a {} file", "GSF"));
+  if (!source.bytes.starts_with(kGsfMagic)) source.fail(message("is not a {} file", "GSF"));
   const std::size_t end = source.bytes.find('\0');
   if (end == std::string_view::npos)
     source.fail(message("the header of the {} file has no end", "GSF"));
-  const Header header(source, source.bytes.substr(kMagic.size(), end - kMagic.size()));
+  const GsfHeader header(source, source.bytes.substr(kGsfMagic.size(), end - kGsfMagic.size()));
 
   SurfaceDraft draft;
   draft.facts.format = "gsf";
@@ -70,8 +67,7 @@ SurfaceDraft readGsf(const SurfaceSource& source) {
   grid.rows = header.count("YRes");
   // One to four zero bytes, up to a multiple of four.
   const std::size_t begin = std::min(end / 4 * 4 + 4, source.bytes.size());
-  const std::string_view data = source.bytes.substr(begin);
-  requireSize(source, grid.columns, grid.rows, data.size(), sizeof(float));
+  takeHeights(source, {.bytes = source.bytes.substr(begin), .type = kStored<float>}, grid);
   grid.columnSpacing = header.size("XReal") / static_cast<double>(grid.columns);
   grid.rowSpacing = header.size("YReal") / static_cast<double>(grid.rows);
   draft.hasPositions = !header.text("XReal").empty();
@@ -79,8 +75,6 @@ SurfaceDraft readGsf(const SurfaceSource& source) {
   draft.positionUnit = statedUnit(source, "XYUnits", header.text("XYUnits"));
   draft.heightUnit = statedUnit(source, "ZUnits", header.text("ZUnits"));
   draft.facts.heightColumn = shortened(header.text("Title"));
-  const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(float);
-  appendHeights<float>(source, data.substr(0, bytes), 1, grid.height);
   return draft;
 }
 

@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMagic = "GWYP";
+constexpr std::string_view kGwyMagic = "GWYP";
 
 struct Component {
   std::string_view name;
@@ -111,7 +111,7 @@ const Component* find(const std::vector<Component>& components, std::string_view
   return found == components.end() ? nullptr : &*found;
 }
 
-struct Field {
+struct DataField {
   std::int64_t columns = 0, rows = 0;
   double width = 1, height = 1;
   std::string positionUnit{}, heightUnit{};
@@ -128,16 +128,16 @@ std::string readUnit(const SurfaceSource& source, const std::vector<Component>& 
   return text == nullptr ? std::string() : std::string(text->value);
 }
 
-Field readDataField(const SurfaceSource& source, const Component& channel) {
+DataField readDataField(const SurfaceSource& source, const Component& channel) {
   const Object object = readObject(source, channel.value);
-  if (object.name != "GwyDataField") source.fail(message("the header has no {}", "GwyDataField"));
+  if (object.name != "GwyDataField") source.failWithout("GwyDataField");
   const std::vector<Component> components = readComponents(source, object.components);
   const auto need = [&](std::string_view name, char type) -> const Component& {
     const Component* found = find(components, name, type);
-    if (found == nullptr) source.fail(message("the header has no {}", name));
+    if (found == nullptr) source.failWithout(name);
     return *found;
   };
-  Field field;
+  DataField field;
   field.columns = storedNumber<std::int32_t>(need("xres", 'i').value);
   field.rows = storedNumber<std::int32_t>(need("yres", 'i').value);
   if (const Component* size = find(components, "xreal", 'd'))
@@ -148,7 +148,7 @@ Field readDataField(const SurfaceSource& source, const Component& channel) {
   field.heightUnit = readUnit(source, components, "si_unit_z");
   field.data = need("data", 'D').value;
   for (const auto& [name, count] : {std::pair("xres", field.columns), {"yres", field.rows}})
-    if (count < 1) source.fail(message("{} in the header is not a number above 0", name));
+    if (count < 1) source.failNotAboveZero(name);
   requireSize(source, field.columns, field.rows, field.data.size(), sizeof(double));
   return field;
 }
@@ -208,14 +208,14 @@ const Channel& chosen(const SurfaceSource& source, const std::vector<Component>&
 
 /// masksAreGaps: masked points were not measured, as in the files that Gwyddion makes of other
 /// formats.
-SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
+SurfaceDraft readGwyFile(const SurfaceSource& source, bool masksAreGaps) {
   if (!isGwy(source)) source.fail(message("is not a {} file", "GWY"));
-  const Object container = readObject(source, source.bytes.substr(kMagic.size()));
+  const Object container = readObject(source, source.bytes.substr(kGwyMagic.size()));
   const std::vector<Component> components = readComponents(source, container.components);
   const std::vector<Channel> channels = findChannels(components);
   if (channels.empty()) source.fail("has no channel of heights");
   const Channel& channel = chosen(source, components, channels);
-  const Field field = readDataField(source, *channel.component);
+  const DataField field = readDataField(source, *channel.component);
 
   SurfaceDraft draft;
   draft.facts.format = "gwy";
@@ -232,7 +232,7 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
   draft.positionUnit = statedUnit(source, "xy", field.positionUnit);
   draft.heightUnit = statedUnit(source, "z", field.heightUnit);
   const auto points = static_cast<std::size_t>(field.columns * field.rows);
-  appendHeights<double>(source, field.data.substr(0, points * sizeof(double)), 1, grid.height);
+  takeHeights(source, {.bytes = field.data, .type = kStored<double>}, grid);
 
   const Component* mask = find(components, "/" + std::to_string(channel.number) + "/mask", 'o');
   if (mask == nullptr) return draft;
@@ -240,7 +240,7 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
     draft.facts.notes.push_back("The channel has a mask, which is not used.");
     return draft;
   }
-  const Field masked = readDataField(source, *mask);
+  const DataField masked = readDataField(source, *mask);
   if (masked.columns != field.columns || masked.rows != field.rows) return draft;
   for (std::size_t i = 0; i < points; ++i) {
     const auto value = storedNumber<double>(masked.data.substr(i * sizeof(double)));
@@ -252,15 +252,15 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
 }  // namespace
 
 bool isGwy(const SurfaceSource& source) {
-  return source.bytes.starts_with(kMagic);
+  return source.bytes.starts_with(kGwyMagic);
 }
 
 SurfaceDraft readGwy(const SurfaceSource& source) {
-  return readFile(source, false);
+  return readGwyFile(source, false);
 }
 
 SurfaceDraft readConvertedGwy(const SurfaceSource& source) {
-  return readFile(source, true);
+  return readGwyFile(source, true);
 }
 
 }  // namespace asperity

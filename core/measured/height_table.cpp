@@ -99,12 +99,12 @@ bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
 }
 
 /// The course of the numbers of a column from row to row.
-enum class Course { AllAlong, PartByPart, Other };
+enum class RowCourse { AllAlong, PartByPart, Other };
 
 /// Returns whether a column rises, or falls, from the first row to the last one, or within each
 /// part and goes back between them.
-Course courseOf(const TextBlock& block, std::size_t column,
-                const std::vector<std::size_t>& begins) {
+RowCourse courseOf(const TextBlock& block, std::size_t column,
+                   const std::vector<std::size_t>& begins) {
   for (const bool rises : {true, false}) {
     bool isAllAlong = true, isPartByPart = true;
     auto begin = begins.begin();
@@ -117,10 +117,10 @@ Course courseOf(const TextBlock& block, std::size_t column,
       isAllAlong = isAllAlong && goesOn;
       isPartByPart = isPartByPart && goesOn != isFirst;
     }
-    if (isAllAlong) return Course::AllAlong;
-    if (isPartByPart) return Course::PartByPart;
+    if (isAllAlong) return RowCourse::AllAlong;
+    if (isPartByPart) return RowCourse::PartByPart;
   }
-  return Course::Other;
+  return RowCourse::Other;
 }
 
 /// Returns after how many rows the positions of a profile in two columns begin anew and are the
@@ -172,9 +172,9 @@ std::vector<std::size_t> beginsOfParts(const TextBlock& block) {
 bool areTables(const TextBlock& block, const std::vector<std::size_t>& begins, bool areEqual) {
   bool beginAnew = false;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const Course course = courseOf(block, i, begins);
-    if (course == Course::AllAlong) return false;
-    beginAnew = beginAnew || course == Course::PartByPart;
+    const RowCourse course = courseOf(block, i, begins);
+    if (course == RowCourse::AllAlong) return false;
+    beginAnew = beginAnew || course == RowCourse::PartByPart;
   }
   if (block.columns.size() == 2) return beginAnew;
   return areEqual && !areLinesOfPoints(block, begins[1]);
@@ -286,7 +286,7 @@ std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSou
     if (begins[i + 1] - begins[i] < kMinRows) return 1;
   }
   if (numbered.empty() && !areTables(whole, begins, areEqual)) return 1;
-  const auto stated = statedCount(table, whole, Counted::Rows);
+  const auto stated = statedCount({table, whole}, Counted::Rows);
   if (source.choices.format == "matrix" || stated == static_cast<std::int64_t>(whole.rows))
     return 1;
   std::vector<TextBlock> split;
@@ -335,7 +335,7 @@ void requireHeightName(const TextBlock& block, int column, const SurfaceSource& 
                        std::vector<Message>& notes) {
   std::string name;
   if (column >= 0) {
-    const TextColumn& one = block.columns[static_cast<std::size_t>(column)];
+    const TextColumn& one = columnAt(block, column);
     if (!metresPer(one.unit) && isOtherQuantity(one.name, false)) name = one.name;
   } else {
     for (const TextEntry& entry : block.header)

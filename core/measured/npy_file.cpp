@@ -16,26 +16,20 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view kMagic = "\x93NUMPY";
-
-template <class Number>
-void appendAs(const SurfaceSource& source, std::string_view bytes, std::vector<double>& heights) {
-  appendHeights<Number>(source, bytes, 1, heights);
-}
+constexpr std::string_view kNpyMagic = "\x93NUMPY";
 
 /// A type of numbers by its word without the order of bytes.
 struct NumberType {
   std::string_view word;
-  std::size_t bytes;
-  void (*append)(const SurfaceSource& source, std::string_view bytes, std::vector<double>& heights);
+  StoredType stored;
 };
 
 constexpr std::array kTypes{
-    NumberType{"f4", 4, appendAs<float>},        NumberType{"f8", 8, appendAs<double>},
-    NumberType{"i1", 1, appendAs<std::int8_t>},  NumberType{"u1", 1, appendAs<std::uint8_t>},
-    NumberType{"i2", 2, appendAs<std::int16_t>}, NumberType{"u2", 2, appendAs<std::uint16_t>},
-    NumberType{"i4", 4, appendAs<std::int32_t>}, NumberType{"u4", 4, appendAs<std::uint32_t>},
-    NumberType{"i8", 8, appendAs<std::int64_t>}, NumberType{"u8", 8, appendAs<std::uint64_t>}};
+    NumberType{"f4", kStored<float>},        NumberType{"f8", kStored<double>},
+    NumberType{"i1", kStored<std::int8_t>},  NumberType{"u1", kStored<std::uint8_t>},
+    NumberType{"i2", kStored<std::int16_t>}, NumberType{"u2", kStored<std::uint16_t>},
+    NumberType{"i4", kStored<std::int32_t>}, NumberType{"u4", kStored<std::uint32_t>},
+    NumberType{"i8", kStored<std::int64_t>}, NumberType{"u8", kStored<std::uint64_t>}};
 
 /// The dictionary of the header.
 class NpyHeader {
@@ -49,13 +43,13 @@ class NpyHeader {
         const std::string_view rest = trimmedBlanks(text_.substr(at + quoted.size()));
         if (rest.starts_with(':')) return trimmedBlanks(rest.substr(1));
       }
-    source_.fail(message("the header has no {}", key));
+    source_.failWithout(key);
   }
 
   /// Returns the type of the numbers, "<f8"; what is no word in quotes as it stands.
   std::string_view type() const {
     const std::string_view text = value("descr");
-    if (text.empty()) source_.fail(message("the header has no {}", "descr"));
+    if (text.empty()) source_.failWithout("descr");
     const std::size_t end = text.find(text.front(), 1);
     const bool isQuoted = (text.front() == '\'' || text.front() == '"') && end != text.npos;
     return isQuoted ? text.substr(1, end - 1) : text.substr(0, text.find(", 'fortran_order'"));
@@ -66,14 +60,13 @@ class NpyHeader {
   std::vector<std::int64_t> shape() const {
     std::string_view text = value("shape");
     const std::size_t end = text.find(')');
-    if (!text.starts_with('(') || end == text.npos)
-      source_.fail(message("the header has no {}", "shape"));
+    if (!text.starts_with('(') || end == text.npos) source_.failWithout("shape");
     std::vector<std::int64_t> counts;
     for (std::string_view part : splitText(text.substr(1, end - 1), ",")) {
       part = trimmedBlanks(part);
       if (part.empty()) continue;  // after the comma of "(3,)"
       if (!readNumber(part, counts.emplace_back()) || counts.back() < 1)
-        source_.fail(message("{} in the header is not a number above 0", "shape"));
+        source_.failNotAboveZero("shape");
     }
     return counts;
   }
@@ -86,13 +79,13 @@ class NpyHeader {
 }  // namespace
 
 bool isNpy(const SurfaceSource& source) {
-  return source.bytes.starts_with(kMagic);
+  return source.bytes.starts_with(kNpyMagic);
 }
 
 SurfaceDraft readNpy(const SurfaceSource& source) {
   if (!isNpy(source)) source.fail(message("is not a {} file", "NPY"));
   ByteReader reader(source, source.bytes);
-  reader.skip(kMagic.size());
+  reader.skip(kNpyMagic.size());
   const auto version = reader.read<std::uint8_t>();
   reader.skip(1);
   if (version < 1 || version > 3)
@@ -128,14 +121,13 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
   Topography stored;
   stored.columns = isColumnByColumn ? shape.front() : shape.back();
   stored.rows = shape.size() == 1 ? 1 : isColumnByColumn ? shape.back() : shape.front();
-  requireSize(source, stored.columns, stored.rows, reader.left(), type->bytes);
-  const std::string_view data =
-      reader.take(static_cast<std::size_t>(stored.columns * stored.rows) * type->bytes);
+  takeHeights(source,
+              {.bytes = reader.rest(),
+               .type = type->stored,
+               .order = word.front() == '>' ? std::endian::big : std::endian::little},
+              stored);
+  reader.skip(stored.height.size() * type->stored.size);
   if (reader.left() > 0) source.fail(message("has {} bytes after its array", reader.left()));
-  if (word.front() == '>')
-    type->append(source, reversedBytes(data, type->bytes), stored.height);
-  else
-    type->append(source, data, stored.height);
   draft.grid = isColumnByColumn ? transposed(stored) : std::move(stored);
   if (draft.grid.columns == 1) draft.grid = transposed(draft.grid);  // a profile as a column
   draft.grid.columnSpacing = draft.grid.rowSpacing = 1;

@@ -122,7 +122,7 @@ void addReadingNotes(SurfaceDraft& draft) {
   const Topography& grid = draft.grid;
   ReadingFacts& facts = draft.facts;
   std::vector<Message> notes;
-  const PrintedNumber spacing{printedQuantity(grid.columnSpacing, "m")};
+  const PrintedNumber spacing = printed(grid.columnSpacing, "m");
   if (grid.isProfile())
     notes.push_back(
         message("Read as {}: {} points, {} apart.", formText(facts), grid.columns, spacing));
@@ -133,8 +133,7 @@ void addReadingNotes(SurfaceDraft& draft) {
         formText(facts), grid.columns, grid.rows, spacing));
   else
     notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
-                            grid.columns, grid.rows, spacing,
-                            PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
+                            grid.columns, grid.rows, spacing, printed(grid.rowSpacing, "m")));
   notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   const UnitFact& position = facts.positionUnit;
   if (draft.isSpacingChosen)
@@ -179,12 +178,12 @@ void addReadingNotes(SurfaceDraft& draft) {
 namespace {
 
 /// Adds a note where the header states another number of points than there are.
-void noteOtherCounts(const TextTable& table, const TextBlock& block, SurfaceDraft& draft) {
+void noteOtherCounts(const TextPart& in, SurfaceDraft& draft) {
   const Topography& grid = draft.grid;
-  const auto points = statedCount(table, block, Counted::Points);
-  const auto columns = statedCount(table, block, Counted::Columns);
-  const auto rows = statedCount(table, block, Counted::Rows);
-  const auto lines = static_cast<std::int64_t>(block.rows);
+  const auto points = statedCount(in, Counted::Points);
+  const auto columns = statedCount(in, Counted::Columns);
+  const auto rows = statedCount(in, Counted::Rows);
+  const auto lines = static_cast<std::int64_t>(in.block.rows);
   std::vector<Message>& notes = draft.facts.notes;
   if (grid.rows == 1) {
     if (points && *points != lines && *points != grid.columns)
@@ -236,12 +235,12 @@ void addFactor(double factor, std::string_view statement, std::vector<Message>& 
   notes.push_back(
       message("The header states a factor of {} ({}), which is not applied: multiply the "
               "numbers of the file where they have to be.",
-              PrintedNumber{printedNumber(factor, 6)}, Message::name(shortened(statement))));
+              printed(factor, 6), Message::name(shortened(statement))));
 }
 
 /// Adds a note where a line of the header states a factor, of which it does not say what it
 /// multiplies.
-void noteFactors(const TextTable& table, const TextBlock& block, SurfaceDraft& draft) {
+void noteFactors(const TextPart& in, SurfaceDraft& draft) {
   constexpr WordList kFactors(
       "scaling factor, scale factor, scaling, z scaling, z scale, z-scale, z factor, z-factor, "
       "height scale, height factor, vertical scale, multiplier, skalierung, skalierungsfaktor, "
@@ -249,12 +248,12 @@ void noteFactors(const TextTable& table, const TextBlock& block, SurfaceDraft& d
       "escala",
       ',');
   for (const std::string_view key : kFactors)
-    if (const auto factor = parseQuantity(table.entry(key, block));
+    if (const auto factor = parseQuantity(in.entry(key));
         factor && factor->number != 1 && factor->number > 0)
       addFactor(factor->number, key, draft.facts.notes);
   if (draft.facts.format != "matrix") return;
   // The name of the table stands above it.
-  for (const TextEntry& entry : block.header) {
+  for (const TextEntry& entry : in.block.header) {
     const std::string name = parseColumnName(entry.value).name;
     if (const auto factor = factorIn(name);
         factor && entry.key.empty() && isHeightName(lowerCase(name)))
@@ -263,37 +262,36 @@ void noteFactors(const TextTable& table, const TextBlock& block, SurfaceDraft& d
 }
 
 /// Adds notes where the header states another unit or another step than the columns that are read.
-void noteContradictions(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                        SurfaceDraft& draft) {
+void noteContradictions(const SurfaceText& in, SurfaceDraft& draft) {
   std::vector<Message>& notes = draft.facts.notes;
   const auto otherUnit = [&](const std::optional<StatedUnit>& unit, const std::string& column,
                              const std::string& choice, bool ofHeights) -> std::string {
     if (!unit || column.empty() || choice != "auto") return {};
-    const auto stated = headerUnit(table, block, ofHeights, UnitEntries::Own);
+    const auto stated = headerUnit(in, ofHeights, UnitEntries::Own);
     return stated && stated->metres != unit->metres ? printedUnit(stated->text) : "";
   };
   if (const std::string other = otherUnit(draft.positionUnit, draft.facts.positionColumn,
-                                          source.choices.positionUnit, false);
+                                          in.source.choices.positionUnit, false);
       !other.empty())
     notes.push_back(
         message("The header states {} for positions, and their column {}, which is taken.", other,
                 printedUnit(draft.positionUnit->text)));
   if (const std::string other =
-          otherUnit(draft.heightUnit, draft.facts.heightColumn, source.choices.heightUnit, true);
+          otherUnit(draft.heightUnit, draft.facts.heightColumn, in.source.choices.heightUnit, true);
       !other.empty())
     notes.push_back(
         message("The header states {} for heights, and their column {}, which is taken.", other,
                 printedUnit(draft.heightUnit->text)));
-  if (!draft.hasPositions || !draft.positionUnit || source.choices.positionUnit != "auto") return;
+  if (!draft.hasPositions || !draft.positionUnit || in.source.choices.positionUnit != "auto")
+    return;
   constexpr double kRounding = 0.02;
   const double spacing = draft.grid.columnSpacing * draft.positionUnit->metres;
-  const auto step = headerLength(table, block, LengthKind::Step, 'x', source);
+  const auto step = headerLength(in, LengthKind::Step, 'x');
   if (step && step->unit &&
       std::abs(step->value * step->unit->metres - spacing) > kRounding * spacing)
     notes.push_back(message(
         "The header states a step of {}, and the positions are {} apart: the positions are taken.",
-        PrintedNumber{printedQuantity(step->value * step->unit->metres, "m")},
-        PrintedNumber{printedQuantity(spacing, "m")}));
+        printed(step->value * step->unit->metres, "m"), printed(spacing, "m")));
 }
 
 /// Adds what the reader can only suppose about the notation of the numbers.
@@ -309,16 +307,15 @@ void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
 }  // namespace
 
 void noteFactor(const TextBlock& block, int column, std::vector<Message>& notes) {
-  const std::string& name = block.columns[static_cast<std::size_t>(column)].name;
+  const std::string& name = columnAt(block, column).name;
   if (const auto factor = factorIn(name)) addFactor(*factor, name, notes);
 }
 
-void noteStatements(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                    std::uint32_t lineOfCount, SurfaceDraft& draft) {
-  noteOtherCounts(table, block, draft);
-  noteFactors(table, block, draft);
-  noteContradictions(table, block, source, draft);
-  addAssumptions(table, lineOfCount, draft.facts.notes);
+void noteStatements(const SurfaceText& in, std::uint32_t lineOfCount, SurfaceDraft& draft) {
+  noteOtherCounts(in, draft);
+  noteFactors(in, draft);
+  noteContradictions(in, draft);
+  addAssumptions(in.table, lineOfCount, draft.facts.notes);
 }
 
 }  // namespace asperity

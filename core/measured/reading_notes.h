@@ -25,7 +25,6 @@ void noteFactor(const TextBlock& block, int column, std::vector<Message>& notes)
 
 /// Adds notes on what the file states otherwise than the draft has it, and what the reader can only
 /// suppose. lineOfCount: a line that states how many numbers follow; 0: there is none.
-void noteStatements(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                    std::uint32_t lineOfCount, SurfaceDraft& draft);
+void noteStatements(const SurfaceText& in, std::uint32_t lineOfCount, SurfaceDraft& draft);
 
 }  // namespace asperity

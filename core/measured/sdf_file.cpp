@@ -24,36 +24,12 @@ constexpr std::size_t kMagicSize = 8, kIdentity = 10, kDates = 24;
 constexpr std::size_t kNumbersSize = 43;  // of 32-bit counts, which are the longer ones
 constexpr std::size_t kSdfHeaderSize = kMagicSize + kIdentity + kDates + kNumbersSize;
 
-/// Appends the heights of a grid; its bytes are the first ones of the data.
-template <class Number>
-void takeHeights(const SurfaceSource& source, std::string_view data, double scale,
-                 SurfaceDraft& draft) {
-  constexpr bool isSigned = std::numeric_limits<Number>::is_signed;
-  const auto bytes =
-      static_cast<std::size_t>(draft.grid.columns * draft.grid.rows) * sizeof(Number);
-  appendHeights<Number>(source, data.substr(0, bytes), scale, draft.grid.height, [](Number number) {
-    return isSigned && number == std::numeric_limits<Number>::lowest();
-  });
-}
-
-/// A type of stored numbers.
-struct DataType {
-  std::size_t size;  // bytes
-  void (*takeHeights)(const SurfaceSource&, std::string_view data, double scale, SurfaceDraft&);
-};
-
-template <class Number>
-constexpr DataType dataType() {
-  return {sizeof(Number), takeHeights<Number>};
-}
-
 /// The types by their code in the header; only BCR has the unsigned ones.
-constexpr std::array kDataTypes{dataType<std::uint8_t>(),  dataType<std::uint16_t>(),
-                                dataType<std::uint32_t>(), dataType<float>(),
-                                dataType<std::int8_t>(),   dataType<std::int16_t>(),
-                                dataType<std::int32_t>(),  dataType<double>()};
+constexpr std::array kDataTypes{
+    kStored<std::uint8_t>, kStored<std::uint16_t>, kStored<std::uint32_t>, kStored<float>,
+    kStored<std::int8_t>,  kStored<std::int16_t>,  kStored<std::int32_t>,  kStored<double>};
 
-struct Header {
+struct SdfHeader {
   std::int64_t columns = 0, rows = 0;
   double xScale = 0, yScale = 0, zScale = 0;
   int compression = 0, dataType = 0, checkType = 0;
@@ -64,17 +40,15 @@ bool isKnownType(int code) {
 }
 
 /// Makes a draft with the grid of the header, without heights.
-SurfaceDraft makeDraft(const SurfaceSource& source, const Header& header) {
+SurfaceDraft makeDraft(const SurfaceSource& source, const SdfHeader& header) {
   const auto requirePositive = [&source](std::string_view key, double value) {
-    if (!(value > 0) || !std::isfinite(value))
-      source.fail(message("{} in the header is not a number above 0", key));
+    if (!(value > 0) || !std::isfinite(value)) source.failNotAboveZero(key);
   };
   requirePositive("NumPoints", static_cast<double>(header.columns));
   requirePositive("NumProfiles", static_cast<double>(header.rows));
   requirePositive("Xscale", header.xScale);
   if (header.rows > 1) requirePositive("Yscale", header.yScale);
-  if (header.zScale == 0 || !std::isfinite(header.zScale))
-    source.fail(message("{} in the header is not a number above 0", "Zscale"));
+  if (header.zScale == 0 || !std::isfinite(header.zScale)) source.failNotAboveZero("Zscale");
   if (header.compression != 0)
     source.fail(message("is compressed, which {} files are not read with", "SDF"));
   if (!isKnownType(header.dataType))
@@ -91,10 +65,10 @@ SurfaceDraft makeDraft(const SurfaceSource& source, const Header& header) {
 
 enum class Counts { Of16Bits, Of32Bits };
 
-Header readNumbers(ByteReader& reader, Counts counts) {
+SdfHeader readNumbers(ByteReader& reader, Counts counts) {
   const bool areLong = counts == Counts::Of32Bits;
   reader.skip(kMagicSize + kIdentity + kDates);
-  Header header;
+  SdfHeader header;
   header.columns = areLong ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
   header.rows = areLong ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
   header.xScale = reader.read<double>();
@@ -108,7 +82,7 @@ Header readNumbers(ByteReader& reader, Counts counts) {
 }
 
 /// Returns whether the numbers of a header are possible.
-bool isPossible(const Header& header) {
+bool isPossible(const SdfHeader& header) {
   const auto isBetween = [](double size, double least, double most) {
     return std::isfinite(size) && std::abs(size) >= least && std::abs(size) <= most;
   };
@@ -121,29 +95,10 @@ Counts namedCounts(std::string_view bytes) {
   return bytes.substr(0, kMagicSize).ends_with("2.0") ? Counts::Of32Bits : Counts::Of16Bits;
 }
 
-/// Returns the bytes of a file, or of its header, with those of each number in reverse order.
-std::string withNumbersReversed(std::string_view bytes, Counts counts) {
-  std::string reversed(bytes);
-  std::size_t at = kMagicSize + kIdentity + kDates;
-  const auto reverseNext = [&](std::size_t size) {
-    const auto begin = reversed.begin() + static_cast<std::ptrdiff_t>(at);
-    std::reverse(begin, begin + static_cast<std::ptrdiff_t>(size));
-    at += size;
-  };
-  for (int i = 0; i < 2; ++i) reverseNext(counts == Counts::Of32Bits ? 4 : 2);
-  for (int i = 0; i < 4; ++i) reverseNext(sizeof(double));
-  const int type = static_cast<unsigned char>(reversed[at + 1]);
-  at += 3;  // compression, type of numbers, check
-  if (!isKnownType(type)) return reversed;
-  const std::size_t size = kDataTypes[static_cast<std::size_t>(type)].size;
-  while (reversed.size() - at >= size) reverseNext(size);
-  return reversed;
-}
-
 /// How the numbers of a binary file are stored.
 struct Layout {
   Counts counts = Counts::Of16Bits;
-  bool isReversed = false;  // against the standard, the highest byte comes first
+  std::endian order = std::endian::little;  // as the standard says
 };
 
 /// Returns the layout with which the header is possible. Counts have 32 bits in the second version,
@@ -154,32 +109,31 @@ std::optional<Layout> possibleLayout(const SurfaceSource& source) {
   if (bytes.size() < kSdfHeaderSize) return {};
   const Counts named = namedCounts(bytes);
   const Counts other = named == Counts::Of16Bits ? Counts::Of32Bits : Counts::Of16Bits;
-  for (const bool isReversed : {false, true})
+  for (const std::endian order : {std::endian::little, std::endian::big})
     for (const Counts counts : {named, other}) {
-      const std::string header =
-          isReversed ? withNumbersReversed(bytes, counts) : std::string(bytes);
-      ByteReader reader(source, header);
-      if (isPossible(readNumbers(reader, counts))) return Layout{counts, isReversed};
+      ByteReader reader(source, bytes, order);
+      if (isPossible(readNumbers(reader, counts))) return Layout{counts, order};
     }
   return {};
 }
 
-SurfaceDraft readBinary(const SurfaceSource& source) {
+SurfaceDraft readBinarySdf(const SurfaceSource& source) {
   const Layout layout = possibleLayout(source).value_or(Layout{namedCounts(source.bytes)});
-  const std::string reversed =
-      layout.isReversed ? withNumbersReversed(source.bytes, layout.counts) : std::string();
-  const std::string_view bytes = layout.isReversed ? reversed : source.bytes;
-  ByteReader reader(source, bytes);
-  const Header header = readNumbers(reader, layout.counts);
+  ByteReader reader(source, source.bytes, layout.order);
+  const SdfHeader header = readNumbers(reader, layout.counts);
   SurfaceDraft draft = makeDraft(source, header);
-  if (layout.isReversed)
+  if (layout.order == std::endian::big)
     draft.facts.notes.emplace_back(
         "The numbers begin with their highest byte (big-endian), against the standard, and are "
         "read so.");
-  const std::string_view data = bytes.substr(reader.position());
-  const DataType& type = kDataTypes[static_cast<std::size_t>(header.dataType)];
-  requireSize(source, header.columns, header.rows, data.size(), type.size);
-  type.takeHeights(source, data, header.zScale, draft);
+  const StoredType& type = kDataTypes[static_cast<std::size_t>(header.dataType)];
+  takeHeights(source,
+              {.bytes = reader.rest(),
+               .type = type,
+               .order = layout.order,
+               .scale = header.zScale,
+               .gaps = {.equal = type.lowest}},
+              draft.grid);
   return draft;
 }
 
@@ -191,13 +145,14 @@ char decimalMark(std::string_view numbers) {
   return numbers.find(',') != numbers.npos && numbers.find('.') == numbers.npos ? ',' : '.';
 }
 
-class TextReader {
+class SdfTextReader {
  public:
-  TextReader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
+  SdfTextReader(const SurfaceSource& source, std::string_view text)
+      : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
     readHeader();
-    Header header;
+    SdfHeader header;
     header.columns = whole("NumPoints");
     header.rows = whole("NumProfiles");
     header.xScale = real("Xscale");
@@ -238,7 +193,7 @@ class TextReader {
   std::string_view value(const std::string& key, std::string_view fallback) const {
     const auto found = values_.find(lowerCase(key));
     if (found != values_.end()) return found->second;
-    if (fallback.empty()) source_.fail(message("the header has no {}", key));
+    if (fallback.empty()) source_.failWithout(key);
     return fallback;
   }
   double real(const std::string& key, std::string_view fallback = {}) const {
@@ -263,7 +218,7 @@ class TextReader {
 
 /// Returns whether the first line is a version such as "aISO-1.0" or "aNPL-V1.0" and the
 /// manufacturer follows.
-bool isText(std::string_view bytes) {
+bool isTextSdf(std::string_view bytes) {
   constexpr std::size_t kLongestVersion = 32, kLinesLookedAt = 4;
   WordReader reader(bytes.substr(0, 1024));
   const std::string_view version = reader.nextLine();
@@ -275,7 +230,7 @@ bool isText(std::string_view bytes) {
 }
 
 /// Returns whether the texts of the header are printable and its numbers possible.
-bool isBinary(const SurfaceSource& source) {
+bool isBinarySdf(const SurfaceSource& source) {
   const std::string_view bytes = source.bytes;
   if (!bytes.starts_with('b') || bytes.size() < kSdfHeaderSize) return false;
   const std::string_view texts = bytes.substr(0, kMagicSize + kIdentity + kDates);
@@ -294,14 +249,14 @@ bool hasStandardName(std::string_view bytes, char kind) {
 
 bool isSdf(const SurfaceSource& source) {
   const std::string_view bytes = withoutByteOrderMark(source.bytes);
-  return hasStandardName(bytes, 'a') || hasStandardName(source.bytes, 'b') || isText(bytes) ||
-         isBinary(source);
+  return hasStandardName(bytes, 'a') || hasStandardName(source.bytes, 'b') || isTextSdf(bytes) ||
+         isBinarySdf(source);
 }
 
 SurfaceDraft readSdf(const SurfaceSource& source) {
-  if (source.bytes.starts_with('b')) return readBinary(source);
+  if (source.bytes.starts_with('b')) return readBinarySdf(source);
   const DecodedText decoded(source.bytes, source.name);
-  return TextReader(source, decoded.text).read();
+  return SdfTextReader(source, decoded.text).read();
 }
 
 }  // namespace asperity

@@ -19,7 +19,7 @@ namespace {
 
 constexpr char kEndOfRecord = '\x03';
 
-struct Axis {
+struct SmdAxis {
   std::string_view type;
   double points = 0;
   std::string_view unit;
@@ -29,14 +29,14 @@ struct Axis {
 
 /// Returns the axis that a line such as "CX I 22401 mm 1.0e0 D 2.5e-4" describes; empty where the
 /// line describes none.
-std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
+std::optional<SmdAxis> axisIn(std::string_view line, std::string_view name) {
   constexpr std::size_t kMin = 5, kWithStep = 7;
   const std::vector<std::string_view> words = splitWords(line);
   if (words.size() < kMin || words[0] != name || words[1].size() != 1) return {};
   const auto points = parseFiniteNumber(words[2]), scale = parseFiniteNumber(words[4]);
   if (!points || !scale) return {};
   const auto step = words.size() >= kWithStep ? parseFiniteNumber(words[6]) : std::nullopt;
-  return Axis{words[1], *points, words[3], *scale, step.value_or(0)};
+  return SmdAxis{words[1], *points, words[3], *scale, step.value_or(0)};
 }
 
 bool endsRecord(std::string_view line) {
@@ -57,9 +57,9 @@ std::string withoutZeros(std::string_view bytes) {
   return text;
 }
 
-class Reader {
+class SmdReader {
  public:
-  Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
+  SmdReader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
     readHeader();
@@ -85,7 +85,7 @@ class Reader {
  private:
   /// Reads records 1 and 2, and the first line of record 3.
   void readHeader() {
-    std::optional<Axis> x, z;
+    std::optional<SmdAxis> x, z;
     int ends = 0;
     while (!reader_.atEnd()) {
       const std::string_view line = reader_.nextLine();
@@ -114,12 +114,12 @@ class Reader {
       spacing_ = parseFiniteNumber(words[2]).value_or(spacing_);
   }
 
-  std::int64_t countOf(const Axis& axis) const {
+  std::int64_t countOf(const SmdAxis& axis) const {
     const auto points = wholeNumber(axis.points);
     if (!points || *points < 1)
       source_.fail(message("the number of points of an axis is not a whole number from 1 to {}",
                            kMaxPoints));
-    if (axis.scale == 0) source_.fail(message("{} in the header is not a number above 0", "scale"));
+    if (axis.scale == 0) source_.failNotAboveZero("scale");
     return *points;
   }
 
@@ -179,7 +179,7 @@ class Reader {
   const SurfaceSource& source_;
   WordReader reader_;
   std::string_view firstLine_;  // of record 3, where the header was read up to it
-  Axis x_, z_;
+  SmdAxis x_, z_;
   double spacing_ = 0;   // of the line SPACING; 0: there is none
   bool inRows_ = false;  // x and z stand in one line
   std::vector<double> numbers_;
@@ -203,7 +203,7 @@ bool isSmd(const SurfaceSource& source) {
 SurfaceDraft readSmd(const SurfaceSource& source) {
   const std::string text = withoutZeros(source.bytes);
   const DecodedText decoded(text, source.name);
-  return Reader(source, decoded.text).read();
+  return SmdReader(source, decoded.text).read();
 }
 
 }  // namespace asperity

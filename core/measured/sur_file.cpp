@@ -18,18 +18,18 @@ namespace {
 constexpr std::string_view kPlain = "DIGITAL SURF", kPacked = "DSCOMPRESSED";
 constexpr std::size_t kHeaderSize = 512;
 
-struct Axis {
+struct SurAxis {
   double spacing = 0;
   std::string stepUnit{}, lengthUnit{};
   double unitRatio = 1;  // step units in one length unit
 };
 
-struct Header {
+struct SurHeader {
   bool isPacked = false;
   int objects = 1, type = 0, specialPoints = 0, bits = 0;
   std::int32_t lowest = 0;
   std::int64_t columns = 0, rows = 0;
-  std::array<Axis, 3> axes{};
+  std::array<SurAxis, 3> axes{};
   std::size_t comment = 0, privateZone = 0;
 };
 
@@ -49,8 +49,8 @@ std::string fixedText(std::string_view bytes) {
   return text;
 }
 
-Header readHeader(const SurfaceSource& source) {
-  Header header;
+SurHeader readSurHeader(const SurfaceSource& source) {
+  SurHeader header;
   header.isPacked = source.bytes.starts_with(kPacked);
   if (!header.isPacked && !source.bytes.starts_with(kPlain))
     source.fail(message("is not a {} file", "SUR"));
@@ -69,11 +69,11 @@ Header readHeader(const SurfaceSource& source) {
   header.columns = reader.read<std::int32_t>();
   header.rows = reader.read<std::int32_t>();
   reader.read<std::int32_t>();  // their product
-  for (Axis& axis : header.axes) axis.spacing = static_cast<double>(reader.read<float>());
+  for (SurAxis& axis : header.axes) axis.spacing = static_cast<double>(reader.read<float>());
   reader.skip(3 * 16);  // names of the axes
-  for (Axis& axis : header.axes) axis.stepUnit = fixedText(reader.take(16));
-  for (Axis& axis : header.axes) axis.lengthUnit = fixedText(reader.take(16));
-  for (Axis& axis : header.axes) axis.unitRatio = static_cast<double>(reader.read<float>());
+  for (SurAxis& axis : header.axes) axis.stepUnit = fixedText(reader.take(16));
+  for (SurAxis& axis : header.axes) axis.lengthUnit = fixedText(reader.take(16));
+  for (SurAxis& axis : header.axes) axis.unitRatio = static_cast<double>(reader.read<float>());
   reader.skip(3 * 2 + 12 + 7 * 2 + 4 + 10);  // replica, inverted, levelled; date; duration
   header.comment = reader.read<std::uint16_t>();
   header.privateZone = reader.read<std::uint16_t>();
@@ -83,7 +83,7 @@ Header readHeader(const SurfaceSource& source) {
 
 /// Returns the unit of the spacing.
 std::optional<StatedUnit> spacingUnit(const SurfaceSource& source, std::string_view name,
-                                      Axis& axis) {
+                                      SurAxis& axis) {
   if (!axis.stepUnit.empty() || axis.lengthUnit.empty())
     return statedUnit(source, name, axis.stepUnit);
   if (std::isfinite(axis.unitRatio) && axis.unitRatio > 0) axis.spacing /= axis.unitRatio;
@@ -117,7 +117,7 @@ std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_
 }
 
 /// Makes a draft with the grid of the header, without heights.
-SurfaceDraft makeDraft(const SurfaceSource& source, Header& header) {
+SurfaceDraft makeDraft(const SurfaceSource& source, SurHeader& header) {
   SurfaceDraft draft;
   draft.facts.format = "sur";
   Topography& grid = draft.grid;
@@ -131,7 +131,7 @@ SurfaceDraft makeDraft(const SurfaceSource& source, Header& header) {
     constexpr std::array kNames{"X spacing", "Y spacing", "Z spacing"};
     const double spacing = header.axes[i].spacing;
     if ((i != 1 || header.rows > 1) && (!std::isfinite(spacing) || spacing == 0))
-      source.fail(message("{} in the header is not a number above 0", kNames[i]));
+      source.failNotAboveZero(kNames[i]);
   }
   grid.columnSpacing = std::abs(header.axes[0].spacing);
   if (header.rows > 1)
@@ -143,19 +143,6 @@ SurfaceDraft makeDraft(const SurfaceSource& source, Header& header) {
   return draft;
 }
 
-void takeHeights(const SurfaceSource& source, const Header& header, std::string_view data,
-                 std::vector<double>& heights) {
-  // The lowest height minus two marks a point that was not measured.
-  const std::int64_t gap = std::int64_t{header.lowest} - 2;
-  const bool hasGaps = header.specialPoints != 0;
-  const auto isGap = [gap, hasGaps](auto number) { return hasGaps && number == gap; };
-  const double scale = header.axes[2].spacing;
-  if (header.bits == 16)
-    appendHeights<std::int16_t>(source, data, scale, heights, isGap);
-  else
-    appendHeights<std::int32_t>(source, data, scale, heights, isGap);
-}
-
 }  // namespace
 
 bool isSur(const SurfaceSource& source) {
@@ -163,15 +150,14 @@ bool isSur(const SurfaceSource& source) {
 }
 
 SurfaceDraft readSur(const SurfaceSource& source) {
-  Header header = readHeader(source);
+  SurHeader header = readSurHeader(source);
   // 1 profile, 2 surface, 4 and 5 series of them, 7 and 8 in layers, 11 surface with intensities.
   constexpr std::array kWithHeights{1, 2, 4, 5, 7, 8, 11};
   if (std::ranges::find(kWithHeights, header.type) == kWithHeights.end())
     source.fail(message("{} {} is not known", "Studiable type", header.type));
   if (header.bits != 16 && header.bits != 32)
     source.fail(message("has {} bits a point; 16 or 32 are read", header.bits));
-  if (header.columns < 1 || header.rows < 1)
-    source.fail(message("{} in the header is not a number above 0", "Points"));
+  if (header.columns < 1 || header.rows < 1) source.failNotAboveZero("Points");
 
   const std::size_t bytesOfPoint = static_cast<std::size_t>(header.bits) / 8;
   ByteReader reader(source, source.bytes);
@@ -188,7 +174,15 @@ SurfaceDraft readSur(const SurfaceSource& source) {
   const std::string_view data = header.isPacked ? std::string_view(plain) : reader.take(bytes);
   if (data.size() < bytes)
     source.fail(message("the packed heights of the {} file cannot be unpacked", "SUR"));
-  takeHeights(source, header, data, draft.grid.height);
+  // The lowest height minus two marks a point that was not measured.
+  takeHeights(source,
+              {.bytes = data,
+               .type = header.bits == 16 ? kStored<std::int16_t> : kStored<std::int32_t>,
+               .scale = header.axes[2].spacing,
+               .gaps = header.specialPoints != 0
+                           ? HeightGaps{.equal = static_cast<double>(header.lowest) - 2}
+                           : HeightGaps{}},
+              draft.grid);
   return draft;
 }
 

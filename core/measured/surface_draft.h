@@ -2,8 +2,10 @@
 // folder use it.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/stop.h"
+#include "core/base/text_table.h"
 #include "core/measured/measured_file.h"
 #include "core/measured/topography.h"
 
@@ -25,6 +28,12 @@ struct SurfaceSource {
   const ReadingProgress& progress;
 
   [[noreturn]] void fail(const Message& message) const { throw InputError(name, "", message); }
+  [[noreturn]] void failWithout(std::string_view key) const {
+    fail(message("the header has no {}", key));
+  }
+  [[noreturn]] void failNotAboveZero(std::string_view key) const {
+    fail(message("{} in the header is not a number above 0", key));
+  }
   /// Reports the part of the work that is done, 0 to 1. Throws StopRequested.
   void report(double part) const {
     throwIfStopped(stop);
@@ -35,6 +44,11 @@ struct SurfaceSource {
     constexpr std::size_t kStep = std::size_t{1} << 18;
     if (done % kStep == 0) report(static_cast<double>(done) / static_cast<double>(all));
   }
+};
+
+/// A block of the table of a text file, with the user's choices for the file.
+struct SurfaceText : TextPart {
+  const SurfaceSource& source;
 };
 
 struct StatedUnit {
@@ -50,6 +64,17 @@ struct SurfaceDraft {
   // A unit in the file that is not known; empty where the file states none or a known one.
   std::string unknownPositionUnit{}, unknownHeightUnit{};
   ReadingFacts facts{};  // format, columns and notes; the rest is filled in later
+};
+
+/// The numbers by which a file marks points that were not measured; one that is not finite is a gap
+/// in any case.
+struct HeightGaps {
+  double equal = std::numeric_limits<double>::quiet_NaN();  // this number
+  double from = std::numeric_limits<double>::infinity();    // this number and those above it
+
+  bool contain(double number) const {
+    return !std::isfinite(number) || number == equal || number >= from;
+  }
 };
 
 /// The units that the keys of units may name, for people.

@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kBlanked = 1.70141e38;  // this number and those above it
+constexpr HeightGaps kBlanked{.from = 1.70141e38};
 
 /// The numbers of columns and rows, and the positions of the first and last ones.
 struct SurferHeader {
@@ -52,7 +52,7 @@ SurfaceDraft readText(const SurfaceSource& source) {
   };
   const auto count = [&](std::string_view key) {
     const auto value = wholeNumber(number(key));
-    if (!value || *value < 1) source.fail(message("{} in the header is not a number above 0", key));
+    if (!value || *value < 1) source.failNotAboveZero(key);
     return *value;
   };
   SurferHeader header;
@@ -68,7 +68,7 @@ SurfaceDraft readText(const SurfaceSource& source) {
   // A height takes at least a digit and a blank.
   requireSize(source, header.columns, header.rows, reader.left() + 1, 2);
   const auto points = static_cast<std::size_t>(header.columns * header.rows);
-  readHeights(source, reader, points, {1, kBlanked}, draft.grid.height);
+  readHeights(source, reader, points, {.gaps = kBlanked}, draft.grid.height);
   requireNoMoreHeights(source, reader, points);
   return draft;
 }
@@ -85,10 +85,11 @@ SurfaceDraft readBytes(const SurfaceSource& source) {
   header.lastY = reader.read<double>();
   reader.skip(2 * sizeof(double));  // lowest and highest z
   SurfaceDraft draft = makeDraft(header);
-  requireSize(source, header.columns, header.rows, reader.left(), sizeof(float));
-  const auto bytes = static_cast<std::size_t>(header.columns * header.rows) * sizeof(float);
-  appendHeights<float>(source, reader.take(bytes), 1, draft.grid.height,
-                       [](float height) { return height >= static_cast<float>(kBlanked); });
+  takeHeights(source,
+              {.bytes = reader.rest(),
+               .type = kStored<float>,
+               .gaps = {.from = static_cast<double>(static_cast<float>(kBlanked.from))}},
+              draft.grid);
   return draft;
 }
 
@@ -97,18 +98,16 @@ SurfaceDraft readSections(const SurfaceSource& source) {
   SurfaceDraft draft;
   bool hasGrid = false;
   std::uint32_t version = 1;
-  double blank = kBlanked;
+  double blank = kBlanked.from;
   while (!reader.atEnd()) {
     const std::string_view name = reader.take(4);
     const std::size_t size = reader.read<std::uint32_t>();
     if (name == "DATA" && hasGrid) {
-      const Topography& grid = draft.grid;
-      requireSize(source, grid.columns, grid.rows, std::min(size, reader.left()), sizeof(double));
-      const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(double);
-      appendHeights<double>(
-          source, reader.take(bytes), 1, draft.grid.height, [version, blank](double height) {
-            return height >= kBlanked || (version == 1 ? height >= blank : height == blank);
-          });
+      takeHeights(source,
+                  {.bytes = reader.rest().substr(0, size),
+                   .type = kStored<double>,
+                   .gaps = {blank, version == 1 ? std::min(kBlanked.from, blank) : kBlanked.from}},
+                  draft.grid);
       return draft;
     }
     const std::string_view section = reader.take(size);

@@ -69,12 +69,12 @@ bool isTime(const TextColumn& column) {
 }
 
 /// Returns whether the column only rises or only falls.
-bool isMonotone(const TextBlock& block, std::size_t column) {
+bool isMonotone(const TextBlock& block, int column) {
   bool rises = true, falls = true, changes = false;
   double last = 0;
   bool any = false;
   for (std::size_t i = 0; i < block.rows; ++i) {
-    const double value = block.at(i, column);
+    const double value = block.at(i, static_cast<std::size_t>(column));
     if (std::isnan(value)) continue;
     if (any) {
       rises = rises && value >= last;
@@ -108,11 +108,11 @@ enum class Course { Uniform, Monotone };
 int onlyOne(const TextBlock& block, const std::vector<int>& columns, Course course) {
   int found = -1;
   for (const int column : columns) {
-    const TextColumn& one = block.columns[static_cast<std::size_t>(column)];
+    const TextColumn& one = columnAt(block, column);
     if (one.isText || (one.name.empty() && block.columns.size() > 3)) continue;
     const auto number = static_cast<std::size_t>(column);
     const bool isUniform = uniformSpacing(block.column(number)).has_value();
-    if (course == Course::Uniform ? !isUniform : !isMonotone(block, number)) continue;
+    if (course == Course::Uniform ? !isUniform : !isMonotone(block, column)) continue;
     if (found >= 0) return -1;
     found = column;
   }
@@ -158,7 +158,7 @@ bool isRowName(std::string_view name) {
 }
 
 Message columnText(const TextBlock& block, int column) {
-  const std::string& name = block.columns[static_cast<std::size_t>(column)].name;
+  const std::string& name = columnAt(block, column).name;
   if (name.empty()) return message("column {}", column + 1);
   return message("column {} '{}'", column + 1, shortened(name));
 }
@@ -245,8 +245,7 @@ class RoleFinder {
       else if (!isOneOf(name, kCounts))
         findValidity(block_, i, name, roles_);
       if (roles_.x != i && roles_.y != i && roles_.validity != i && !isOneOf(name, kCounts) &&
-          !isTime(block_.columns[static_cast<std::size_t>(i)]) &&
-          !hasNoNumber(block_, static_cast<std::size_t>(i)) &&
+          !isTime(columnAt(block_, i)) && block_.hasNumber(static_cast<std::size_t>(i)) &&
           std::ranges::find(roles_.heights, i) == roles_.heights.end())
         open_.push_back(i);
     }
@@ -275,15 +274,15 @@ class RoleFinder {
     // A column without a name that counts the rows, in front of at least two others, numbers the
     // points.
     if (open_.size() > 2 && nameOf(open_.front()).empty() && isCount(open_.front()) &&
-        isMonotone(block_, static_cast<std::size_t>(open_[1])))
+        isMonotone(block_, open_[1]))
       open_.erase(open_.begin());
     const bool hasHeights = open_.size() > 1 || !roles_.heights.empty() || heightChoice_ >= 0;
     if (roles_.x >= 0 || open_.empty() || !hasHeights) return;
     // The positions of chosen heights stand nearest in front of them.
     auto candidate = open_.begin();
     for (auto column = candidate; column != open_.end() && *column < heightChoice_; ++column)
-      if (isMonotone(block_, static_cast<std::size_t>(*column))) candidate = column;
-    if (!isMonotone(block_, static_cast<std::size_t>(*candidate))) return;
+      if (isMonotone(block_, *column)) candidate = column;
+    if (!isMonotone(block_, *candidate)) return;
     roles_.x = *candidate;
     open_.erase(candidate);
   }
@@ -355,11 +354,8 @@ class RoleFinder {
     if (namedHeights > 0 && unit.empty()) roles_.candidates = namedHeights;
   }
 
-  const TextColumn& columnAt(int column) const {
-    return block_.columns[static_cast<std::size_t>(column)];
-  }
-  const std::string& nameOf(int column) const { return columnAt(column).name; }
-  const std::string& unitOf(int column) const { return columnAt(column).unit; }
+  const std::string& nameOf(int column) const { return columnAt(block_, column).name; }
+  const std::string& unitOf(int column) const { return columnAt(block_, column).unit; }
   /// Returns whether a column named as positions may hold something else: its unit is none of
   /// length, as counts of an encoder, or it numbers the profiles.
   bool mayBeOther(int column) const {
@@ -396,12 +392,6 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   return RoleFinder(block, source).find();
 }
 
-bool hasNoNumber(const TextBlock& block, std::size_t column) {
-  for (std::size_t row = 0; row < block.rows; ++row)
-    if (!std::isnan(block.at(row, column))) return false;
-  return true;
-}
-
 bool numbersProfiles(const TextBlock& block, std::size_t column) {
   constexpr WordList kProfiles(
       "profile profil perfil profilo scan track trace line linie spur section measurement messung "
@@ -420,19 +410,17 @@ bool numbersProfiles(const TextBlock& block, std::size_t column) {
 ProfileColumns profilesSideBySide(const TextBlock& block, const ColumnRoles& roles,
                                   const SurfaceSource& source) {
   if (roles.z < 0 || source.choices.heightColumn > 0) return {};
-  const auto at = [&](int column) -> const TextColumn& {
-    return block.columns[static_cast<std::size_t>(column)];
-  };
-  const NumberedName first = numberedName(at(roles.z).name);
-  const bool areLengths = metresPer(at(roles.z).unit).has_value();
+  const NumberedName first = numberedName(columnAt(block, roles.z).name);
+  const bool areLengths = metresPer(columnAt(block, roles.z).unit).has_value();
   if (first.number.empty() || !(areLengths || isHeightName(lowerCase(first.before)))) return {};
   ProfileColumns found;
   std::set<std::string> numbers;
   for (const int column : roles.heights) {
-    const NumberedName name = numberedName(at(column).name);
+    const NumberedName name = numberedName(columnAt(block, column).name);
     const auto number = static_cast<std::size_t>(column);
     if (name.before != first.before || name.after != first.after || name.number.empty() ||
-        at(column).unit != at(roles.z).unit || !numbers.insert(name.number).second)
+        columnAt(block, column).unit != columnAt(block, roles.z).unit ||
+        !numbers.insert(name.number).second)
       continue;
     const bool isWhole =
         !std::isnan(block.at(0, number)) && !std::isnan(block.at(block.rows - 1, number));
@@ -449,7 +437,7 @@ bool isInPixels(const TextColumn& column) {
 bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
                      const SurfaceSource& source) {
   if (roles.x < 0 || source.choices.positionColumn > 0) return false;
-  const TextColumn& column = block.columns[static_cast<std::size_t>(roles.x)];
+  const TextColumn& column = columnAt(block, roles.x);
   const std::string name = lowerCase(column.name);
   return (isInPixels(column) || (column.unit.empty() && !isPositionName(name))) &&
          countsRows(block, static_cast<std::size_t>(roles.x));

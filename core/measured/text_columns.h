@@ -26,8 +26,10 @@ struct ColumnRoles {
 /// are counted from 0.
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
 
-/// Returns whether a column has no number at all, as one of dates.
-bool hasNoNumber(const TextBlock& block, std::size_t column);
+/// Returns a column by its index, which is not -1.
+inline const TextColumn& columnAt(const TextBlock& block, int column) {
+  return block.columns[static_cast<std::size_t>(column)];
+}
 
 /// Returns whether a column numbers the profiles that follow each other, by its name and its
 /// numbers: "Profile", "Track no.".

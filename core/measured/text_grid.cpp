@@ -28,17 +28,17 @@ struct SpipHeader {
   bool hasVoids = false;
 };
 
-std::optional<SpipHeader> spipHeader(const TextTable& table, const TextBlock& block) {
+std::optional<SpipHeader> spipHeader(const TextPart& in) {
   const auto number = [&](std::string_view key) {
-    const auto quantity = parseQuantity(table.entry(key, block));
+    const auto quantity = parseQuantity(in.entry(key));
     return quantity ? wholeNumber(quantity->number).value_or(0) : 0;
   };
   const SpipHeader header{number("x-pixels"), number("y-pixels"), number("voidpixels") > 0};
   return header.columns > 0 && header.rows > 0 ? std::optional(header) : std::nullopt;
 }
 
-std::optional<double> nanometresPerHeight(const TextTable& table, const TextBlock& block) {
-  const auto bit = parseQuantity(table.entry("bit2nm", block));
+std::optional<double> nanometresPerHeight(const TextPart& in) {
+  const auto bit = parseQuantity(in.entry("bit2nm"));
   return bit && bit->number > 0 ? std::optional(bit->number) : std::nullopt;
 }
 
@@ -87,8 +87,7 @@ void requireAgreement(const AxisSteps& axis, std::int64_t count, const SurfaceSo
     throw InputError(source.name, "surface.point_spacing",
                      message("is needed (in m): the file states a step of {} and an extent of {}, "
                              "which do not fit {} points",
-                             PrintedNumber{printedQuantity(step, "m")},
-                             PrintedNumber{printedQuantity(extent, "m")}, count));
+                             printed(step, "m"), printed(extent, "m"), count));
 }
 
 /// The steps of both axes.
@@ -97,19 +96,18 @@ struct FieldSteps {
 };
 
 /// Returns the steps that the lines above the numbers state, without numbers that count points.
-FieldSteps statedSteps(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                       SurfaceDraft& draft) {
+FieldSteps statedSteps(const SurfaceText& in, SurfaceDraft& draft) {
   const Topography& grid = draft.grid;
   AxisSteps x, y;
   for (auto* axis : {&x, &y}) {
     const char letter = axis == &x ? 'x' : 'y';
-    axis->step = headerLength(table, block, LengthKind::Step, letter, source);
-    axis->extent = headerLength(table, block, LengthKind::Extent, letter, source);
-    if (spipHeader(table, block) && axis->extent && !axis->extent->unit)
+    axis->step = headerLength(in, LengthKind::Step, letter);
+    axis->extent = headerLength(in, LengthKind::Extent, letter);
+    if (spipHeader(in) && axis->extent && !axis->extent->unit)
       axis->extent->unit = StatedUnit{"nm", 1e-9};
   }
   if (!x.step && !y.step && !y.extent)
-    if (const auto sides = widthAndLength(block)) {
+    if (const auto sides = widthAndLength(in.block)) {
       x.extent = sides->first;
       y.extent = sides->second;
     }
@@ -120,8 +118,8 @@ FieldSteps statedSteps(const TextTable& table, const TextBlock& block, const Sur
   if (isCount(x, grid.columns) || isCount(y, grid.rows))
     for (auto* axis : {&x, &y})
       if (axis->extent && !axis->extent->unit) axis->extent.reset();
-  const auto countedX = countedStep(table, block, grid.columns, 'x');
-  const auto countedY = countedStep(table, block, grid.rows, 'y');
+  const auto countedX = countedStep(in, grid.columns, 'x');
+  const auto countedY = countedStep(in, grid.rows, 'y');
   if (countedX && countedY) {
     x = {countedX, {}};
     y = {countedY, {}};
@@ -147,14 +145,13 @@ bool takeSpacing(const AxisSteps& axis, std::int64_t count, SurfaceDraft& draft,
 
 }  // namespace
 
-void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                  SurfaceDraft& draft) {
+void takeSpacings(const SurfaceText& in, SurfaceDraft& draft) {
   Topography& grid = draft.grid;
-  const auto [x, y] = statedSteps(table, block, source, draft);
-  const bool isChosen = source.choices.spacing > 0;
+  const auto [x, y] = statedSteps(in, draft);
+  const bool isChosen = in.source.choices.spacing > 0;
   if (!isChosen) {
-    requireAgreement(x, grid.columns, source);
-    requireAgreement(y, grid.rows, source);
+    requireAgreement(x, grid.columns, in.source);
+    requireAgreement(y, grid.rows, in.source);
   }
   const bool hasX = takeSpacing(x, grid.columns, draft, grid.columnSpacing);
   const bool hasY = takeSpacing(y, grid.rows, draft, grid.rowSpacing);
@@ -180,8 +177,8 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
   if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
   // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
   if (!draft.positionUnit)
-    draft.positionUnit = headerUnit(table, block, false,
-                                    draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
+    draft.positionUnit =
+        headerUnit(in, false, draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
 }
 
 namespace {
@@ -218,8 +215,8 @@ void noteNumbering(const Numbering& numbering, std::vector<Message>& notes) {
 }
 
 /// Takes the spacings and the unit of the positions in the first row and the first column.
-void takeFramePositions(const MatrixFrame& frame, const CornerUnits& corner, const TextTable& table,
-                        const TextBlock& block, SurfaceDraft& draft) {
+void takeFramePositions(const MatrixFrame& frame, const CornerUnits& corner, const TextPart& in,
+                        SurfaceDraft& draft) {
   Topography& grid = draft.grid;
   const double x = *uniformSpacing(frame.x), y = *uniformSpacing(frame.y);
   grid.columnSpacing = std::abs(x);
@@ -229,7 +226,7 @@ void takeFramePositions(const MatrixFrame& frame, const CornerUnits& corner, con
   if (corner.x && corner.y) grid.rowSpacing *= corner.y->metres / corner.x->metres;
   if (!draft.positionUnit) draft.unknownPositionUnit = corner.unknownPosition;
   if (!draft.positionUnit && draft.unknownPositionUnit.empty())
-    draft.positionUnit = headerUnit(table, block, false);
+    draft.positionUnit = headerUnit(in, false);
   if (frame.corner) {
     draft.facts.notes.push_back(message(
         "The first row and the first column are evenly spaced and are taken as positions; the "
@@ -242,21 +239,22 @@ void takeFramePositions(const MatrixFrame& frame, const CornerUnits& corner, con
 
 }  // namespace
 
-SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
-                            const SurfaceSource& source) {
+SurfaceDraft readTextMatrix(const SurfaceText& in) {
+  const TextBlock& block = in.block;
+  const SurfaceSource& source = in.source;
   SurfaceDraft draft;
   draft.facts.format = "matrix";
   Topography& grid = draft.grid;
-  const auto spip = spipHeader(table, block);
+  const auto spip = spipHeader(in);
   // A grid of ESRI states how many heights it has: there are no other numbers.
-  const bool isEsri = !table.entry("ncols", block).empty();
+  const bool isEsri = !in.entry("ncols").empty();
   const MatrixFrame frame = isEsri ? MatrixFrame{} : readFrame(block);
   const CornerUnits corner = frame.hasColumn && !frame.hasRow ? cornerUnits(block) : CornerUnits{};
   // Numbers 0, 1, 2, ... are positions only where their unit is stated, and no other step.
   const bool hasUnit = corner.x || corner.y || !corner.unknownPosition.empty() ||
-                       headerUnit(table, block, false, UnitEntries::Own);
+                       headerUnit(in, false, UnitEntries::Own);
   const bool isNumbered = frame.hasColumn && countByOne(frame.x) && countByOne(frame.y) &&
-                          (!hasUnit || headerLength(table, block, LengthKind::Step, 'x', source));
+                          (!hasUnit || headerLength(in, LengthKind::Step, 'x'));
   const Numbering numbering = frame.hasColumn  ? Numbering{isNumbered, isNumbered}
                               : spip || isEsri ? Numbering{}
                                                : findNumbering(block, source);
@@ -267,23 +265,23 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   requireSize(source, grid.columns, grid.rows, 0, 0);
   grid.height = numbersFrom(block, firstRow, firstColumn);
   if (spip && !frame.hasColumn) applySpipHeader(*spip, source, grid);
-  draft.heightUnit = corner.z ? corner.z : headerUnit(table, block, true);
+  draft.heightUnit = corner.z ? corner.z : headerUnit(in, true);
   if (!draft.heightUnit) draft.heightUnit = unitOfCells(block, firstColumn);
   if (!draft.heightUnit) draft.unknownHeightUnit = corner.unknownHeight;
   requireHeightName(block, -1, source, draft.facts.notes);
   noteNumbering(numbering, draft.facts.notes);
   if (frame.hasColumn && !isNumbered)
-    takeFramePositions(frame, corner, table, block, draft);
+    takeFramePositions(frame, corner, in, draft);
   else
-    takeSpacings(table, block, source, draft);
-  if (const auto size = nanometresPerHeight(table, block); size && !draft.heightUnit)
+    takeSpacings(in, draft);
+  if (const auto size = nanometresPerHeight(in); size && !draft.heightUnit)
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
   if (!draft.heightUnit && draft.unknownHeightUnit.empty())
-    draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
+    draft.unknownHeightUnit = unknownUnit(in, -1, true);
   if (!draft.positionUnit && draft.unknownPositionUnit.empty())
-    draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
+    draft.unknownPositionUnit = unknownUnit(in, -1, false);
   // These numbers stand for a missing value in grids of ESRI.
-  const auto none = parseQuantity(table.entry("nodata_value", block));
+  const auto none = parseQuantity(in.entry("nodata_value"));
   if (none)
     for (double& height : grid.height)
       if (!std::isnan(height) && height == none->number) height = kMissingHeight;
@@ -346,18 +344,18 @@ void takeMeans(std::vector<RepeatedHeight> repeats, std::vector<double>& heights
 
 /// Returns whether the positions number the points: they are in pixels, or count by one without a
 /// unit where the user states the spacing alone.
-bool numberPoints(const TextTable& table, const TextBlock& block, const PointColumns& columns,
-                  const std::array<GridAxis, 2>& axes, const SurfaceSource& source) {
+bool numberPoints(const SurfaceText& in, const PointColumns& columns,
+                  const std::array<GridAxis, 2>& axes) {
   if (std::ranges::any_of(axes, [](const GridAxis& axis) {
         return axis.count > 1 && std::abs(axis.spacing - 1) > 1e-9;
       }))
     return false;
-  const TextColumn& x = block.columns[static_cast<std::size_t>(columns.x)];
-  const TextColumn& y = block.columns[static_cast<std::size_t>(columns.y)];
+  const TextColumn& x = columnAt(in.block, columns.x);
+  const TextColumn& y = columnAt(in.block, columns.y);
   if (isInPixels(x) && isInPixels(y)) return true;
-  return source.choices.spacing > 0 && source.choices.positionUnit == "auto" &&
+  return in.source.choices.spacing > 0 && in.source.choices.positionUnit == "auto" &&
          (axes[0].first == 0 || axes[0].first == 1) && axes[1].first == axes[0].first &&
-         x.unit.empty() && y.unit.empty() && !headerUnit(table, block, false);
+         x.unit.empty() && y.unit.empty() && !headerUnit(in, false);
 }
 
 constexpr const char* kNoGrid = "the points do not lie on a grid of uniform rows and columns";
@@ -410,20 +408,20 @@ void takeHeights(const TextBlock& block, const PointColumns& columns, const Grid
 
 /// Takes the units of the columns. areNumbers: there are no positions, but numbers of columns and
 /// rows. Returns the unit of y over that of x.
-double takeColumnUnits(const TextTable& table, const TextBlock& block, const PointColumns& columns,
-                       bool areNumbers, const SurfaceSource& source, SurfaceDraft& draft) {
+double takeColumnUnits(const SurfaceText& in, const PointColumns& columns, bool areNumbers,
+                       SurfaceDraft& draft) {
   std::optional<StatedUnit> rowUnit;
   if (!areNumbers) {
-    draft.positionUnit = columnUnit(source, table, block, columns.x, false);
-    rowUnit = columnUnit(source, table, block, columns.y, false);
+    draft.positionUnit = columnUnit(in, columns.x, false);
+    rowUnit = columnUnit(in, columns.y, false);
   }
-  draft.heightUnit = columnUnit(source, table, block, columns.z, true);
+  draft.heightUnit = columnUnit(in, columns.z, true);
   if (!draft.positionUnit && !areNumbers)
-    draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
-  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
-  requireHeightName(block, columns.z, source, draft.facts.notes);
+    draft.unknownPositionUnit = unknownUnit(in, columns.x, false);
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(in, columns.z, true);
+  requireHeightName(in.block, columns.z, in.source, draft.facts.notes);
   for (const int column : {columns.x, columns.y, columns.z})
-    noteFactor(block, column, draft.facts.notes);
+    noteFactor(in.block, column, draft.facts.notes);
   return (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 }
 
@@ -438,19 +436,20 @@ bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
   return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
 }
 
-std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
-                                       const ColumnRoles& roles, const SurfaceSource& source) {
-  const bool isStepKnown = (source.choices.spacing > 0 && source.choices.positionUnit == "auto") ||
-                           headerLength(table, block, LengthKind::Step, 'x', source);
-  return findGridNumbers(block, roles, source, isStepKnown);
+std::optional<GridNumbers> gridNumbers(const SurfaceText& in, const ColumnRoles& roles) {
+  const bool isStepKnown =
+      (in.source.choices.spacing > 0 && in.source.choices.positionUnit == "auto") ||
+      headerLength(in, LengthKind::Step, 'x');
+  return findGridNumbers(in.block, roles, in.source, isStepKnown);
 }
 
-SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
-                            const SurfaceSource& source) {
+SurfaceDraft readTextPoints(const SurfaceText& in) {
+  const TextBlock& block = in.block;
+  const SurfaceSource& source = in.source;
   if (block.columns.size() < 3) source.fail("points need three columns: x, y and z");
   const ColumnRoles roles = columnRoles(block, source);
   PointColumns columns = pointColumns(block, roles);
-  const auto numbers = gridNumbers(table, block, roles, source);
+  const auto numbers = gridNumbers(in, roles);
   if (numbers) columns = {numbers->column, numbers->row, numbers->height};
   const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
   // Numbers of columns and rows are positions only where the user says in which unit.
@@ -461,7 +460,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     return std::abs(axis.spacing - 1) < kRounding;
   };
   if (!x || !y || (areOfGrid && !(countsByOne(*x) && countsByOne(*y)))) source.fail(kNoGrid);
-  const bool areNumbers = areOfGrid || numberPoints(table, block, columns, {*x, *y}, source);
+  const bool areNumbers = areOfGrid || numberPoints(in, columns, {*x, *y});
   SurfaceDraft draft;
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();
@@ -472,13 +471,13 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                            columnText(block, columns.z))
                  : message("Positions are {} and {}, heights {}.", columnText(block, columns.x),
                            columnText(block, columns.y), columnText(block, columns.z)));
-  const double ofRows = takeColumnUnits(table, block, columns, areNumbers, source, draft);
+  const double ofRows = takeColumnUnits(in, columns, areNumbers, draft);
   // A single row may also run along y.
   Topography& grid = draft.grid;
   grid.columns = x->count;
   grid.rows = y->count;
   if (areNumbers) {
-    takeSpacings(table, block, source, draft);
+    takeSpacings(in, draft);
   } else {
     grid.columnSpacing = x->spacing;
     grid.rowSpacing = y->spacing * ofRows;

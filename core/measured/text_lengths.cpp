@@ -186,15 +186,14 @@ TextEntry keyedEntry(const TextEntry& entry) {
 
 }  // namespace
 
-std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         LengthKind kind, char axis, const SurfaceSource& source) {
+std::optional<HeaderLength> headerLength(const SurfaceText& in, LengthKind kind, char axis) {
   const LengthNames& names = kind == LengthKind::Step ? kSteps : kExtents;
   constexpr std::size_t kWithoutKey = 1000;  // after all names
   std::size_t first = kWithoutKey;
   std::optional<HeaderLength> found;
   std::size_t lineOfFound = 0;
   bool isContradicted = false;
-  for (const TextBlock& one : table.blocks) {
+  for (const TextBlock& one : in.table.blocks) {
     char section = 0;
     lineOfFound = 0;  // what is nearer to the table replaces what is above an earlier one
     for (const TextEntry& line : one.header) {
@@ -224,8 +223,8 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
       const bool isAgain = found && lineOfFound > 0 && place->place == first;
       if (isAgain && !entry.key.empty() && !isSame(*found, length)) {
         isContradicted = true;
-        if (source.choices.spacing == 0)
-          throw InputError(source.name, "surface.point_spacing",
+        if (in.source.choices.spacing == 0)
+          throw InputError(in.source.name, "surface.point_spacing",
                            message("is needed (in m): lines {} and {} state different lengths of "
                                    "one axis",
                                    lineOfFound, line.line));
@@ -234,7 +233,7 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
       found = length;
       lineOfFound = line.line;
     }
-    if (&one == &block) break;
+    if (&one == &in.block) break;
   }
   return isContradicted ? std::nullopt : found;
 }
@@ -307,10 +306,9 @@ WordList unitKeys(bool ofHeights) {
 }
 
 /// Returns the unit that one of the entries with these keys states.
-std::optional<StatedUnit> unitOfEntries(const TextTable& table, const TextBlock& block,
-                                        const WordList& keys) {
+std::optional<StatedUnit> unitOfEntries(const TextPart& in, const WordList& keys) {
   for (const std::string_view key : keys) {
-    const std::string text = table.entry(key, block);
+    const std::string text = in.entry(key);
     // "x: mm" states a unit, "x: 5 mm" a length.
     const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
     const auto metres = metresPer(text);
@@ -322,10 +320,10 @@ std::optional<StatedUnit> unitOfEntries(const TextTable& table, const TextBlock&
 
 /// Returns the unit in the name of the table: "H\u00F6he in \u00B5m", "Height data [nm]",
 /// "Height;um".
-std::optional<StatedUnit> unitOfTableName(const TextTable& table, const TextBlock& block) {
+std::optional<StatedUnit> unitOfTableName(const TextPart& in) {
   constexpr WordList kBeside("data values value map image channel daten werte");
   std::optional<StatedUnit> found;
-  for (const TextEntry* const entry : table.entriesAbove(block)) {
+  for (const TextEntry* const entry : in.entriesAbove()) {
     const TextColumn column =
         entry->key.empty() ? parseColumnName(entry->value) : TextColumn{entry->key, entry->value};
     const auto metres = metresPer(column.unit);
@@ -343,24 +341,22 @@ std::optional<StatedUnit> unitOfTableName(const TextTable& table, const TextBloc
 
 }  // namespace
 
-std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
-                                     UnitEntries entries) {
-  if (const auto unit = unitOfEntries(table, block, unitKeys(ofHeights))) return unit;
+std::optional<StatedUnit> headerUnit(const TextPart& in, bool ofHeights, UnitEntries entries) {
+  if (const auto unit = unitOfEntries(in, unitKeys(ofHeights))) return unit;
   if (ofHeights)
-    if (const auto unit = unitOfTableName(table, block)) return unit;
+    if (const auto unit = unitOfTableName(in)) return unit;
   if (entries == UnitEntries::Own) return {};
-  return unitOfEntries(table, block, kCommonUnitKeys);
+  return unitOfEntries(in, kCommonUnitKeys);
 }
 
-std::string unknownUnit(const TextTable& table, const TextBlock& block, int column,
-                        bool ofHeights) {
+std::string unknownUnit(const TextPart& in, int column, bool ofHeights) {
   if (column >= 0)
-    if (const auto text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
+    if (const auto text = inBrackets(columnAt(in.block, column).name);
         canBeUnit(text) && !metresPer(text))
       return std::string(text);
   for (const WordList& keys : {unitKeys(ofHeights), kCommonUnitKeys})
     for (const std::string_view key : keys) {
-      const std::string text = table.entry(key, block);
+      const std::string text = in.entry(key);
       const std::string_view unit = withoutBrackets(text);
       if (key.size() > 1 && canBeUnit(unit) && !metresPer(unit)) return std::string(unit);
     }
@@ -397,22 +393,21 @@ CornerUnits cornerUnits(const TextBlock& block) {
   return units;
 }
 
-std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
-                                     const TextBlock& block, int column, bool ofHeights) {
-  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
+std::optional<StatedUnit> columnUnit(const SurfaceText& in, int column, bool ofHeights) {
+  const std::string& unit = columnAt(in.block, column).unit;
   const bool isChosen =
-      (ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto";
+      (ofHeights ? in.source.choices.heightUnit : in.source.choices.positionUnit) != "auto";
   if (unit.empty()) {
-    const std::string_view text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
+    const std::string_view text = inBrackets(columnAt(in.block, column).name);
     if (const auto metres = metresPer(text)) return StatedUnit{std::string(text), *metres};
-    return headerUnit(table, block, ofHeights);
+    return headerUnit(in, ofHeights);
   }
   if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
   if (isChosen) return {};
   const char* key = ofHeights ? "surface.height_unit" : "surface.position_unit";
-  throw InputError(source.name, key,
+  throw InputError(in.source.name, key,
                    message("{} is in '{}', which is not a unit of length; {} can name another one",
-                           columnText(block, column), shortened(unit), key));
+                           columnText(in.block, column), shortened(unit), key));
 }
 
 }  // namespace asperity

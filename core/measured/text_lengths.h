@@ -42,8 +42,7 @@ enum class LengthKind { Step, Extent };
 /// lengths in a line, as "Scan size: 10 um x 20 um", or one named "XY", for x and y. Where two
 /// lines contradict each other, it throws InputError, or returns nothing if the user states the
 /// spacing.
-std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         LengthKind kind, char axis, const SurfaceSource& source);
+std::optional<HeaderLength> headerLength(const SurfaceText& in, LengthKind kind, char axis);
 
 /// Returns the lengths of a field that the header calls width and length, in their order: the first
 /// one is that along x. Nothing where it has only one of them.
@@ -55,17 +54,16 @@ enum class UnitEntries { Own, AndCommon };
 
 /// Returns the unit that the header states for positions or for heights: in an entry of its own, or
 /// in the name of the table of heights.
-std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
+std::optional<StatedUnit> headerUnit(const TextPart& in, bool ofHeights,
                                      UnitEntries entries = UnitEntries::AndCommon);
 
 /// Returns the text in place of a unit, in the name of the column (-1: there is none) or in the
 /// header, that is no known unit. Empty where there is no such text.
-std::string unknownUnit(const TextTable& table, const TextBlock& block, int column, bool ofHeights);
+std::string unknownUnit(const TextPart& in, int column, bool ofHeights);
 
 /// Returns the unit of a column by its name, else by the header. Throws InputError where it is no
 /// unit of length and the user chooses no other one.
-std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
-                                     const TextBlock& block, int column, bool ofHeights);
+std::optional<StatedUnit> columnUnit(const SurfaceText& in, int column, bool ofHeights);
 
 /// The units that the corner of a matrix with positions in its first row and column states: "y\x
 /// [um]", "Z [um] | X [mm] / Y [mm]", "mm".
@@ -80,18 +78,16 @@ enum class Counted { Points, Columns, Rows };
 
 /// Returns the number that the header states for it: "Number of points: 800", "Zeilen: 40", "800
 /// points" in a line of several statements.
-std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
-                                        Counted counted);
+std::optional<std::int64_t> statedCount(const TextPart& in, Counted counted);
 
 /// Returns the step between `count` points where the header states their number and the length from
 /// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
 /// and "Traverse length: 59 um". It is also stated by "Points per mm: 1000", and by the first and
 /// the last position, "x from 0 to 59 um" or, in two lines, "Start X = 0 um" and "End X = 59 um".
-std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
-                                        std::int64_t count, char axis);
+std::optional<HeaderLength> countedStep(const TextPart& in, std::int64_t count, char axis);
 
 /// Returns the way of a stylus between two samples where the header states its speed and their
 /// rate: "Scan speed: 0.5 mm/s", "Sampling rate: 1000 Hz".
-std::optional<HeaderLength> sampledStep(const TextTable& table, const TextBlock& block);
+std::optional<HeaderLength> sampledStep(const TextPart& in);
 
 }  // namespace asperity

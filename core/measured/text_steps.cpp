@@ -17,13 +17,13 @@ namespace {
 
 /// Returns the number of points that a part of a line states: "400 points" in "Total length: 200
 /// um, 400 points".
-std::optional<std::int64_t> countInClause(const TextTable& table, const TextBlock& block) {
+std::optional<std::int64_t> countInClause(const TextPart& in) {
   constexpr WordList kWords(
       "points, pts, pt, data points, samples, punkte, messpunkte, datenpunkte, punti, puntos, "
       "pontos, points de mesure",
       ',');
   std::optional<std::int64_t> found;
-  for (const TextEntry* const entry : table.entriesAbove(block))
+  for (const TextEntry* const entry : in.entriesAbove())
     for (const std::string_view clause : splitClauses(entry->value))
       if (const auto quantity = parseQuantity(clause);
           quantity && quantity->number > 0 && isOneOf(lowerCase(quantity->unit), kWords))
@@ -74,8 +74,7 @@ std::optional<HeaderLength> lengthBetweenEnds(const TextEntry& entry, char axis)
 
 /// Returns the length between two positions of an axis that two lines state: "Start X = 0 um" and
 /// "End X = 199.5 um"; nothing where they are not clear.
-std::optional<HeaderLength> lengthBetweenLines(const TextTable& table, const TextBlock& block,
-                                               char axis) {
+std::optional<HeaderLength> lengthBetweenLines(const TextPart& in, char axis) {
   constexpr WordList kFirst("start first begin min anfang debut inizio inicio 0"),
       kLast("end stop last max ende fin fine final 1");
   struct Position {
@@ -83,7 +82,7 @@ std::optional<HeaderLength> lengthBetweenLines(const TextTable& table, const Tex
     std::string unit{};
   };
   std::optional<Position> first, last;
-  for (const TextEntry* const entry : table.entriesAbove(block)) {
+  for (const TextEntry* const entry : in.entriesAbove()) {
     const TextColumn name = parseColumnName(entry->key);
     const std::string word = plainWord(lowerCase(name.name));
     const auto quantity = parseQuantity(entry->value);
@@ -110,10 +109,9 @@ std::optional<HeaderLength> lengthBetweenLines(const TextTable& table, const Tex
 }
 
 /// Returns the first of these entries with a quantity of this SI unit, in that unit.
-std::optional<double> quantityAbove(const TextTable& table, const TextBlock& block,
-                                    const WordList& keys, std::string_view si) {
+std::optional<double> quantityAbove(const TextPart& in, const WordList& keys, std::string_view si) {
   for (const std::string_view key : keys)
-    if (const auto quantity = parseQuantity(table.entry(key, block)); quantity)
+    if (const auto quantity = parseQuantity(in.entry(key)); quantity)
       if (const auto unit = findUnit(quantity->unit, si); unit && quantity->number > 0)
         return unit->toSi(quantity->number);
   return {};
@@ -121,8 +119,7 @@ std::optional<double> quantityAbove(const TextTable& table, const TextBlock& blo
 
 }  // namespace
 
-std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
-                                        Counted counted) {
+std::optional<std::int64_t> statedCount(const TextPart& in, Counted counted) {
   constexpr WordList kPoints(
       "points, number of points, no. of points, data points, number of data points, data number, "
       "samples, number of samples, samps, npoints, n points, punkte, anzahl punkte, punktanzahl, "
@@ -145,18 +142,17 @@ std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock&
   for (const std::string_view key : counted == Counted::Points    ? kPoints
                                     : counted == Counted::Columns ? kColumnWords
                                                                   : kRowWords)
-    if (const auto number = parseQuantity(table.entry(key, block)); number && number->number > 0)
+    if (const auto number = parseQuantity(in.entry(key)); number && number->number > 0)
       if (const auto count = wholeNumber(number->number)) return count;
-  if (counted == Counted::Points) return countInClause(table, block);
+  if (counted == Counted::Points) return countInClause(in);
   return {};
 }
 
-std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
-                                        std::int64_t count, char axis) {
+std::optional<HeaderLength> countedStep(const TextPart& in, std::int64_t count, char axis) {
   for (const std::string_view form : kAxisForms) {
     std::string key(form);
     replaceAll(key, "{}", std::string_view(&axis, 1));
-    const std::string text = table.entry(key, block);
+    const std::string text = in.entry(key);
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
     const auto length = parseQuantity(std::string_view(text).substr(end));
     double points = 0;
@@ -167,10 +163,10 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
     return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
   }
   std::optional<HeaderLength> between;
-  for (const TextEntry* const entry : table.entriesAbove(block))
+  for (const TextEntry* const entry : in.entriesAbove())
     if (!between) between = lengthBetweenEnds(*entry, axis);
-  if (!between && statedCount(table, block, Counted::Points).value_or(count) == count)
-    between = lengthBetweenLines(table, block, axis);
+  if (!between && statedCount(in, Counted::Points).value_or(count) == count)
+    between = lengthBetweenLines(in, axis);
   if (between && count > 1) {
     between->value /= static_cast<double>(count - 1);
     return between;
@@ -180,7 +176,7 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
       "punkte pro mm, punkte/mm, messpunkte pro mm, points par mm",
       ',');
   for (const std::string_view density : kDensities)
-    if (const auto perMillimetre = parseQuantity(table.entry(density, block));
+    if (const auto perMillimetre = parseQuantity(in.entry(density));
         perMillimetre && perMillimetre->number > 0)
       return HeaderLength{1 / perMillimetre->number, StatedUnit{"mm", 1e-3}};
   constexpr WordList kTraverses(
@@ -190,11 +186,11 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
       "totale, lunghezza, longitud, comprimento, evaluation length, auswertel\u00E4nge, longueur "
       "d'\u00E9valuation",
       ',');
-  if (axis != 'x' || count < 2 || statedCount(table, block, Counted::Points) != count) return {};
+  if (axis != 'x' || count < 2 || statedCount(in, Counted::Points) != count) return {};
   for (const std::string_view traverse : kTraverses) {
-    std::string text = table.entry(traverse, block);
+    std::string text = in.entry(traverse);
     for (const char* symbol : {" lt", " ln"})  // "Taststrecke lt"
-      if (text.empty()) text = table.entry(std::string(traverse) + symbol, block);
+      if (text.empty()) text = in.entry(std::string(traverse) + symbol);
     const auto clauses = splitClauses(text);
     auto length = clauses.empty() ? std::nullopt : lengthIn(clauses.front());
     if (!length || !length->unit) continue;
@@ -204,7 +200,7 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
   return {};
 }
 
-std::optional<HeaderLength> sampledStep(const TextTable& table, const TextBlock& block) {
+std::optional<HeaderLength> sampledStep(const TextPart& in) {
   constexpr WordList kSpeeds(
       "speed, scan speed, scanning speed, measuring speed, measurement speed, traverse speed, "
       "tracing speed, stylus speed, drive speed, vt, vorschub, vorschubgeschwindigkeit, "
@@ -216,8 +212,8 @@ std::optional<HeaderLength> sampledStep(const TextTable& table, const TextBlock&
       "abtastfrequenz, messrate, fr\u00E9quence d'\u00E9chantillonnage, frecuencia de muestreo, "
       "frequenza di campionamento",
       ',');
-  const auto speed = quantityAbove(table, block, kSpeeds, "m/s");
-  const auto rate = quantityAbove(table, block, kRates, "Hz");
+  const auto speed = quantityAbove(in, kSpeeds, "m/s");
+  const auto rate = quantityAbove(in, kRates, "Hz");
   if (!speed || !rate) return {};
   constexpr double kMicrometre = 1e-6;
   HeaderLength step{*speed / *rate / kMicrometre, StatedUnit{"\u00B5m", kMicrometre}};

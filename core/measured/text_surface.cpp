@@ -93,7 +93,9 @@ void refuseUnlikeColumns(const TextBlock& block, const SurfaceSource& source) {
   }
 }
 
-Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSource& source) {
+Form detectForm(const SurfaceText& in) {
+  const TextBlock& block = in.block;
+  const SurfaceSource& source = in.source;
   const std::string& format = source.choices.format;
   if (format == "profile") return Form::Profile;
   if (format == "matrix") return Form::Matrix;
@@ -102,10 +104,10 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
   if (columns < 3) return Form::Profile;
   // The first column holds dates.
   constexpr std::size_t kFew = 4;
-  if (columns <= kFew && hasNoNumber(block, 0)) return Form::Profile;
+  if (columns <= kFew && !block.hasNumber(0)) return Form::Profile;
   if (readFrame(block).hasColumn) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
-  if (gridNumbers(table, block, roles, source)) return Form::Points;
+  if (gridNumbers(in, roles)) return Form::Points;
   if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {
     // The table may be a profile with a second lateral coordinate that does not change, or points.
     return Form::Points;
@@ -115,9 +117,9 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
       (columns <= 5 || hasPointAttributes(block)))
     return Form::Points;
   if (roles.named || roles.validity >= 0) return Form::Profile;
-  const bool hasNames = std::ranges::any_of(block.columns, [&table](const TextColumn& column) {
+  const bool hasNames = std::ranges::any_of(block.columns, [&in](const TextColumn& column) {
     double number = 0;
-    return !column.name.empty() && !readTextNumber(column.name, table.dialect.decimal, number);
+    return !column.name.empty() && !readTextNumber(column.name, in.table.dialect.decimal, number);
   });
   if (hasNames && columns <= 8 && roles.x >= 0) return Form::Profile;
   if (roles.x >= 0 && block.rows > columns && beginsWithPositions(block)) return Form::Profile;
@@ -143,16 +145,15 @@ void requireHeights(const std::vector<double>& heights, const TextBlock& block,
 /// Makes rows of heights that follow each other in one column where the header states how many
 /// points a row has and how many rows there are, as NanoScope writes them. Throws InputError where
 /// the column has another number of heights.
-void takeRows(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-              SurfaceDraft& draft) {
+void takeRows(const SurfaceText& in, SurfaceDraft& draft) {
   Topography& grid = draft.grid;
-  const auto columns = statedCount(table, block, Counted::Columns);
-  const auto rows = statedCount(table, block, Counted::Rows);
+  const auto columns = statedCount(in, Counted::Columns);
+  const auto rows = statedCount(in, Counted::Rows);
   // "columns: 1" and "rows: 400" are of the table.
-  if (!columns || !rows || *rows < 2 || *columns <= std::ssize(block.columns)) return;
-  if (source.choices.format == "profile") return;
+  if (!columns || !rows || *rows < 2 || *columns <= std::ssize(in.block.columns)) return;
+  if (in.source.choices.format == "profile") return;
   if (*columns > grid.columns || *columns * *rows != grid.columns)
-    source.fail(
+    in.source.fail(
         message("the header states {} rows of {} points; the file has {} heights in one "
                 "column",
                 *rows, *columns, grid.columns));
@@ -161,7 +162,7 @@ void takeRows(const TextTable& table, const TextBlock& block, const SurfaceSourc
   draft.facts.format = "matrix";
   draft.facts.notes.emplace_back(
       "The rows follow each other in one column; the header states their length.");
-  takeSpacings(table, block, source, draft);
+  takeSpacings(in, draft);
 }
 
 /// Makes gaps of the heights that are not valid by a column of the file.
@@ -176,24 +177,22 @@ void makeGaps(const TextBlock& block, const ColumnRoles& roles, std::vector<doub
 }
 
 /// Returns the step between the points that the lines above the numbers state.
-std::optional<HeaderLength> statedStep(const TextTable& table, const TextBlock& block,
-                                       const SurfaceSource& source) {
-  if (auto step = headerLength(table, block, LengthKind::Step, 'x', source)) return step;
-  if (auto step = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x'))
-    return step;
-  return sampledStep(table, block);
+std::optional<HeaderLength> statedStep(const SurfaceText& in) {
+  if (auto step = headerLength(in, LengthKind::Step, 'x')) return step;
+  if (auto step = countedStep(in, static_cast<std::int64_t>(in.block.rows), 'x')) return step;
+  return sampledStep(in);
 }
 
-SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
-                             const SurfaceSource& source) {
+SurfaceDraft readTextProfile(const SurfaceText& in) {
+  const TextBlock& block = in.block;
+  const SurfaceSource& source = in.source;
   ColumnRoles roles = columnRoles(block, source);
   if (roles.z < 0) source.fail("has no column of heights");
   SurfaceDraft draft;
-  const auto spacing = statedStep(table, block, source);
+  const auto spacing = statedStep(in);
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
-  const bool isInPixelsAlone = roles.x >= 0 &&
-                               isInPixels(block.columns[static_cast<std::size_t>(roles.x)]) &&
-                               !spacing && !isGiven;
+  const bool isInPixelsAlone =
+      roles.x >= 0 && isInPixels(columnAt(block, roles.x)) && !spacing && !isGiven;
   if ((spacing || isGiven || isInPixelsAlone) && mayNumberPoints(block, roles, source)) {
     draft.facts.notes.push_back(
         isInPixelsAlone ? message("{} numbers the points.", columnText(block, roles.x))
@@ -207,8 +206,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   requireHeights(heights, block, source);
   requireHeightName(block, roles.z, source, draft.facts.notes);
   if (roles.validity >= 0) makeGaps(block, roles, heights, draft.facts.notes);
-  draft.heightUnit = columnUnit(source, table, block, roles.z, true);
-  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, roles.z, true);
+  draft.heightUnit = columnUnit(in, roles.z, true);
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(in, roles.z, true);
   if (roles.candidates > 1 && source.choices.heightColumn == 0)
     draft.facts.notes.push_back(
         message("Heights are {}, one of {} columns that could be; surface.height_column chooses "
@@ -223,8 +222,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
     draft.facts.notes.insert(draft.facts.notes.begin(),
                              message("Positions are {}, heights {}.", columnText(block, roles.x),
                                      columnText(block, roles.z)));
-    draft.positionUnit = columnUnit(source, table, block, roles.x, false);
-    if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, roles.x, false);
+    draft.positionUnit = columnUnit(in, roles.x, false);
+    if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(in, roles.x, false);
     resampleUniformly(block.column(static_cast<std::size_t>(roles.x)), std::move(heights),
                       block.lines, source, draft);
   } else {
@@ -237,8 +236,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
     draft.positionUnit =
         spacing && spacing->unit
             ? spacing->unit
-            : headerUnit(table, block, false, spacing ? UnitEntries::AndCommon : UnitEntries::Own);
-    takeRows(table, block, source, draft);
+            : headerUnit(in, false, spacing ? UnitEntries::AndCommon : UnitEntries::Own);
+    takeRows(in, draft);
   }
   return draft;
 }
@@ -318,7 +317,7 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
   std::vector<double> heights = grid.height;
   for (const TextBlock& next : tables.subspan(1)) {
     if (grid.rows > 1 || !hasPositionsOf(next, tables.front(), x)) return false;
-    const SurfaceDraft further = readTextProfile(table, next, source);
+    const SurfaceDraft further = readTextProfile({{table, next}, source});
     if (further.grid.height.size() != grid.height.size()) return false;
     heights.insert(heights.end(), further.grid.height.begin(), further.grid.height.end());
   }
@@ -331,16 +330,17 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
 
 /// Adds the profiles that stand side by side to a draft of the first one, as rows, and a note that
 /// says so. Does nothing where there are none, or where they have other positions.
-void addProfilesSideBySide(const TextTable& table, const TextBlock& block,
-                           const SurfaceSource& source, SurfaceDraft& draft) {
-  const auto [columns, leftOut] = profilesSideBySide(block, columnRoles(block, source), source);
-  if (columns.empty() || source.choices.format == "profile" || draft.grid.rows > 1) return;
+void addProfilesSideBySide(const SurfaceText& in, SurfaceDraft& draft) {
+  const auto [columns, leftOut] =
+      profilesSideBySide(in.block, columnRoles(in.block, in.source), in.source);
+  if (columns.empty() || in.source.choices.format == "profile" || draft.grid.rows > 1) return;
   SurfaceDraft all;
   for (const int column : columns) {
-    ReadingChoices choices = source.choices;
+    ReadingChoices choices = in.source.choices;
     choices.heightColumn = column + 1;
-    SurfaceDraft one = readTextProfile(
-        table, block, {source.bytes, source.name, choices, source.stop, source.progress});
+    const SurfaceSource changed{in.source.bytes, in.source.name, choices, in.source.stop,
+                                in.source.progress};
+    SurfaceDraft one = readTextProfile({{in.table, in.block}, changed});
     if (column == columns.front()) {
       all = std::move(one);
       continue;
@@ -355,11 +355,11 @@ void addProfilesSideBySide(const TextTable& table, const TextBlock& block,
   all.facts.notes.push_back(message(
       "The file has {} profiles side by side, {} to {}, which are the rows of the surface: "
       "surface.row chooses one.",
-      columns.size(), columnText(block, columns.front()), columnText(block, columns.back())));
+      columns.size(), columnText(in.block, columns.front()), columnText(in.block, columns.back())));
   for (const int column : leftOut)
     all.facts.notes.push_back(
         message("{} is left out: a height is missing in its first or its last row.",
-                columnText(block, column)));
+                columnText(in.block, column)));
   draft = std::move(all);
 }
 
@@ -370,7 +370,7 @@ void requireOneMatrix(std::span<const TextBlock> parts, const TextTable& table,
   const TextBlock &first = parts.front(), &second = parts[1];
   const bool isCommented = second.blanks.front().second == 0;
   if (isCommented || hasPositionsOf(second, first, 0) ||
-      statedCount(table, first, Counted::Rows) == static_cast<std::int64_t>(first.rows))
+      statedCount({table, first}, Counted::Rows) == static_cast<std::int64_t>(first.rows))
     return;
   throw InputError(source.name, "surface.format",
                    message("is needed: blank lines separate {} parts of {} rows; say matrix where "
@@ -425,30 +425,32 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   const HeightTable chosen = chooseHeightTable(table);
   const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(table.blocks[chosen.index]);
   std::size_t parts = 1;
-  Form form = isEsri ? Form::Matrix : detectForm(table, table.blocks[chosen.index], source);
+  const auto chosenForm = [&] { return detectForm({{table, table.blocks[chosen.index]}, source}); };
+  Form form = isEsri ? Form::Matrix : chosenForm();
   // The second table of SPIP says where heights are missing.
   const bool hasVoids = !table.entry("voidpixels", table.blocks[chosen.index]).empty();
   if (!isEsri && !hasVoids && form != Form::Points) {
     parts = splitIntoParts(table, chosen.index, source);
-    if (parts > 1) form = detectForm(table, table.blocks[chosen.index], source);
+    if (parts > 1) form = chosenForm();
   }
   const TextBlock& block = table.blocks[chosen.index];
   const std::size_t headed =
       parts == 1 && form == Form::Profile ? countHeadedProfiles(table, chosen.index) : 1;
-  SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
-                       : form == Form::Matrix ? readTextMatrix(table, block, source)
-                                              : readTextPoints(table, block, source);
+  const SurfaceText text{{table, block}, source};
+  SurfaceDraft draft = form == Form::Profile  ? readTextProfile(text)
+                       : form == Form::Matrix ? readTextMatrix(text)
+                                              : readTextPoints(text);
   const std::span<const TextBlock> tables(&block, std::max(parts, headed));
   if (parts > 1 && form == Form::Matrix) requireOneMatrix(tables, table, source);
   const bool areRows =
       tables.size() > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
-  if (form == Form::Profile && !areRows) addProfilesSideBySide(table, block, source, draft);
+  if (form == Form::Profile && !areRows) addProfilesSideBySide(text, draft);
   if (joined > 1)
     draft.facts.notes.push_back(
         message("{} tables of the file follow each other along x: they are read as one.", joined));
   noteParts(areRows ? tables : tables.first(parts), areRows, form, draft.facts.notes);
   if (chosen.note && !(areRows && headed > 1)) draft.facts.notes.push_back(*chosen.note);
-  noteStatements(table, block, source, lineOfCount, draft);
+  noteStatements(text, lineOfCount, draft);
   return draft;
 }
 

@@ -11,19 +11,15 @@
 
 namespace asperity {
 
-SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
-                            const SurfaceSource& source);
-SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
-                            const SurfaceSource& source);
+SurfaceDraft readTextMatrix(const SurfaceText& in);
+SurfaceDraft readTextPoints(const SurfaceText& in);
 
 /// Returns the columns that number the columns and the rows of a grid; nothing where there are
 /// none.
-std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
-                                       const ColumnRoles& roles, const SurfaceSource& source);
+std::optional<GridNumbers> gridNumbers(const SurfaceText& in, const ColumnRoles& roles);
 
 /// Sets the distances of the points of a field from the lines above its numbers.
-void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                  SurfaceDraft& draft);
+void takeSpacings(const SurfaceText& in, SurfaceDraft& draft);
 
 /// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);

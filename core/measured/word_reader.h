@@ -47,9 +47,9 @@ double parseHeight(const SurfaceSource& source, const WordReader& reader, std::s
 
 /// How the heights of a file are written.
 struct HeightWords {
-  double scale = 1;                                          // of each number
-  double gapFrom = std::numeric_limits<double>::infinity();  // this number and those above it
-  char end = '\0';                                           // begins what follows the heights
+  double scale = 1;  // of each number
+  HeightGaps gaps{};
+  char end = '\0';  // begins what follows the heights
   char decimal = '.';
 };
 

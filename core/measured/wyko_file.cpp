@@ -21,8 +21,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view kMagic = "Wyko ASCII Data File Format";
-constexpr std::array kHeights{"RAW_DATA"sv, "RAW DATA"sv, "OPD"sv, "SAMPLE_DATA"sv};
+constexpr std::string_view kWykoMagic = "Wyko ASCII Data File Format";
+constexpr std::array kHeightBlocks{"RAW_DATA"sv, "RAW DATA"sv, "OPD"sv, "SAMPLE_DATA"sv};
 
 std::vector<std::string_view> splitAtTabs(std::string_view line) {
   std::vector<std::string_view> fields = splitFields(line, TextDialect::Separator::Tab);
@@ -30,13 +30,13 @@ std::vector<std::string_view> splitAtTabs(std::string_view line) {
   return fields;
 }
 
-class Reader {
+class WykoReader {
  public:
-  Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
+  WykoReader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
     const std::vector<std::string_view> first =
-        splitWords(reader_.nextLine().substr(kMagic.size()));
+        splitWords(reader_.nextLine().substr(kWykoMagic.size()));
     const bool inNanometres = first.size() > 1 && first[1] == "1";
     readHeader();
     const std::int64_t columns = count("X Size"), rows = count("Y Size");
@@ -49,7 +49,8 @@ class Reader {
     Topography along;  // each row is a column of the surface
     along.columns = rows;
     along.rows = columns;
-    readHeights(source_, reader_, static_cast<std::size_t>(columns * rows), {scale}, along.height);
+    readHeights(source_, reader_, static_cast<std::size_t>(columns * rows), {.scale = scale},
+                along.height);
     draft.grid = transposed(along);
     draft.heightUnit = StatedUnit{"nm", 1e-9};
     const double pixel = values_.contains("Pixel_size") ? std::abs(number("Pixel_size", 0)) : 0;
@@ -69,7 +70,7 @@ class Reader {
       const std::vector<std::string_view> fields = splitAtTabs(reader_.nextLine());
       if (fields.empty()) continue;
       block_ = fields.front();
-      if (std::ranges::find(kHeights, block_) != kHeights.end()) return;
+      if (std::ranges::find(kHeightBlocks, block_) != kHeightBlocks.end()) return;
       if (fields.size() > 1) values_.emplace(block_, fields.size() > 3 ? fields[3] : fields[1]);
     }
     source_.fail(message("has no block of heights; known are {}", "RAW_DATA, OPD, SAMPLE_DATA"));
@@ -77,20 +78,19 @@ class Reader {
 
   std::int64_t count(const std::string& key) const {
     const auto found = values_.find(key);
-    if (found == values_.end()) source_.fail(message("the header has no {}", key));
+    if (found == values_.end()) source_.failWithout(key);
     std::int64_t value = 0;
-    if (!readNumber(found->second, value) || value < 1)
-      source_.fail(message("{} in the header is not a number above 0", key));
+    if (!readNumber(found->second, value) || value < 1) source_.failNotAboveZero(key);
     return value;
   }
 
   /// fallback: 0 where the entry must be present.
   double number(const std::string& key, double fallback = 0) const {
     const auto found = values_.find(key);
-    if (found == values_.end() && fallback == 0) source_.fail(message("the header has no {}", key));
+    if (found == values_.end() && fallback == 0) source_.failWithout(key);
     if (found == values_.end()) return fallback;
     const double value = parseFiniteNumber(found->second).value_or(0);
-    if (value == 0) source_.fail(message("{} in the header is not a number above 0", key));
+    if (value == 0) source_.failNotAboveZero(key);
     return value;
   }
 
@@ -103,13 +103,13 @@ class Reader {
 }  // namespace
 
 bool isWyko(const SurfaceSource& source) {
-  return withoutByteOrderMark(source.bytes).starts_with(kMagic);
+  return withoutByteOrderMark(source.bytes).starts_with(kWykoMagic);
 }
 
 SurfaceDraft readWyko(const SurfaceSource& source) {
   if (!isWyko(source)) source.fail(message("is not a {} file", "Wyko"));
   const DecodedText decoded(source.bytes, source.name);
-  return Reader(source, decoded.text).read();
+  return WykoReader(source, decoded.text).read();
 }
 
 }  // namespace asperity

@@ -48,22 +48,27 @@ std::string_view textAt(const pugi::xml_node& node, std::string_view path) {
   return trimmedBlanks(nodeAt(node, path).child_value());
 }
 
-struct Axis {
+struct X3pAxis {
   bool isIncremental = false;
   char type = 'D';  // of its numbers: I, L, F, D
   bool hasIncrement = false;
   double increment = 1, offset = 0;
 
-  std::size_t size() const { return type == 'I' ? 2 : type == 'D' ? 8 : 4; }
+  const StoredType& stored() const {
+    return type == 'I'   ? kStored<std::int16_t>
+           : type == 'L' ? kStored<std::int32_t>
+           : type == 'F' ? kStored<float>
+                         : kStored<double>;
+  }
   bool isWhole() const { return type == 'I' || type == 'L'; }
 };
 
 /// mayBeZero: an increment of 0 is none, as across a profile.
-Axis readAxis(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name,
-              bool mayBeZero = false) {
+X3pAxis readAxis(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name,
+                 bool mayBeZero = false) {
   const pugi::xml_node node = nodeAt(root, "Record1/Axes/" + name);
   if (!node) source.fail(message("main.xml has no {}", "Record1/Axes/" + name));
-  Axis axis;
+  X3pAxis axis;
   const std::string_view kind = textAt(node, "AxisType");
   if (kind != "I" && kind != "A")
     source.fail(message("main.xml: {} is neither {}", name + "/AxisType", "I, A"));
@@ -110,9 +115,9 @@ struct Points {
   std::vector<double> x, y, z;
 };
 
-class Reader {
+class X3pReader {
  public:
-  explicit Reader(const SurfaceSource& source) : source_(source), archive_(source) {}
+  explicit X3pReader(const SurfaceSource& source) : source_(source), archive_(source) {}
 
   SurfaceDraft read() {
     parse();
@@ -228,8 +233,8 @@ class Reader {
   /// Returns the bytes of one point: the numbers of its absolute axes.
   std::size_t stride() const {
     std::size_t bytes = 0;
-    for (const Axis& axis : axes_)
-      bytes += axis.isIncremental && &axis != &axes_[2] ? 0 : axis.size();
+    for (const X3pAxis& axis : axes_)
+      bytes += axis.isIncremental && &axis != &axes_[2] ? 0 : axis.stored().size;
     return bytes;
   }
 
@@ -244,42 +249,19 @@ class Reader {
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
                            all, 0, bytes.size()));
     requireMd5(textAt(root_, "Record3/DataLink/MD5ChecksumPointData"), bytes, file);
-    if (stride() == axes_[2].size()) {
-      const std::string_view part = std::string_view(bytes).substr(0, all);
-      const double scale = axes_[2].isIncremental || axes_[2].isWhole() ? axes_[2].increment : 1;
-      if (axes_[2].type == 'I')
-        appendHeights<std::int16_t>(source_, part, scale, points_.z);
-      else if (axes_[2].type == 'L')
-        appendHeights<std::int32_t>(source_, part, scale, points_.z);
-      else if (axes_[2].type == 'F')
-        appendHeights<float>(source_, part, scale, points_.z);
-      else
-        appendHeights<double>(source_, part, scale, points_.z);
-    } else {
-      ByteReader reader(source_, bytes);
-      for (std::size_t i = 0; i < count; ++i) takePoint(reader);
+    ByteReader reader(source_, bytes);
+    for (std::size_t i = 0; i < count; ++i) {
+      source_.reportPoint(i, count);
+      takePoint(reader);
     }
     takeMask(count);
-  }
-
-  static double number(ByteReader& reader, char type) {
-    switch (type) {
-      case 'I':
-        return static_cast<double>(reader.read<std::int16_t>());
-      case 'L':
-        return static_cast<double>(reader.read<std::int32_t>());
-      case 'F':
-        return static_cast<double>(reader.read<float>());
-      default:
-        return reader.read<double>();
-    }
   }
 
   void takePoint(ByteReader& reader) {
     std::array<std::vector<double>*, 3> parts{&points_.x, &points_.y, &points_.z};
     for (std::size_t k = 0; k < 3; ++k)
       if (!axes_[k].isIncremental || k == 2)
-        parts[k]->push_back(scaled(k, number(reader, axes_[k].type)));
+        parts[k]->push_back(scaled(k, reader.read(axes_[k].stored())));
   }
 
   /// Returns a number of an axis in metres; NaN stays NaN.
@@ -397,7 +379,7 @@ class Reader {
   std::string xml_;
   pugi::xml_document document_;
   pugi::xml_node root_;
-  std::array<Axis, 3> axes_{};
+  std::array<X3pAxis, 3> axes_{};
   std::int64_t columns_ = 0, rows_ = 0, layers_ = 1;
   Points points_;
   std::vector<Message> notes_;
@@ -410,7 +392,7 @@ bool isX3p(const SurfaceSource& source) {
 }
 
 SurfaceDraft readX3p(const SurfaceSource& source) {
-  return Reader(source).read();
+  return X3pReader(source).read();
 }
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view kXyz = "Zygo XYZ Data File", kPhases = "Zygo ASCII Data File";
 constexpr std::size_t kHeaderLines = 13, kMaxHeaderLines = 16;
-constexpr double kNoPhase = 2147483640;  // this number and those above it
+constexpr HeightGaps kNoPhase{.from = 2147483640};
 constexpr std::array kMagics{"\x88\x1B\x03\x6F"sv, "\x88\x1B\x03\x70"sv, "\x88\x1B\x03\x71"sv};
 
 /// Makes a draft with square pixels.
@@ -54,41 +54,41 @@ double phaseStep(const SurfaceSource& source, double scaleFactor, double wavelen
     source.fail(message("{} {} is not known", "PhaseRes", resolution));
   const double step =
       scaleFactor * wavelength * obliquity / kResolutions[static_cast<std::size_t>(resolution)];
-  if (!(std::abs(step) > 0))
-    source.fail(message("{} in the header is not a number above 0", "WavelengthIn"));
+  if (!(std::abs(step) > 0)) source.failNotAboveZero("WavelengthIn");
   return step;
 }
 
-SurfaceDraft readBinary(const SurfaceSource& source) {
+SurfaceDraft readBinaryZygo(const SurfaceSource& source) {
   constexpr std::size_t kHeader = 570;  // bytes, at least
   ByteReader reader(source, source.bytes);
-  const std::string header(reader.take(kHeader));
-  const auto number = [&]<class Number>(std::size_t offset, Number) -> double {
-    const std::string_view bytes = std::string_view(header).substr(offset, sizeof(Number));
-    return static_cast<double>(storedNumber<Number>(reversedBytes(bytes, sizeof(Number))));
+  const std::string_view header = reader.take(kHeader);
+  const auto whole = [header](std::size_t offset) -> std::int64_t {
+    return storedNumber<std::uint16_t>(header.substr(offset), std::endian::big);
   };
-  const auto whole = [&](std::size_t offset) {
-    return static_cast<std::int64_t>(number(offset, std::uint16_t{}));
+  const auto number = [header](std::size_t offset) {
+    return static_cast<double>(storedNumber<float>(header.substr(offset), std::endian::big));
   };
-  const auto size = static_cast<std::size_t>(number(6, std::uint32_t{}));
+  const std::size_t size = storedNumber<std::uint32_t>(header.substr(6), std::endian::big);
   reader.skip(std::max(size, kHeader) - kHeader);
   reader.skip(static_cast<std::size_t>(2 * whole(52) * whole(54) * whole(56)));
-  SurfaceDraft draft = makeDraft(whole(68), whole(70), number(184, float{}));
+  SurfaceDraft draft = makeDraft(whole(68), whole(70), number(184));
   draft.heightUnit = StatedUnit{"m", 1};
   Topography& grid = draft.grid;
   requireSize(source, grid.columns, grid.rows, reader.left(), sizeof(std::int32_t));
-  const std::string phases =
-      reversedBytes(reader.take(static_cast<std::size_t>(4 * grid.columns * grid.rows)), 4);
-  const double step = phaseStep(source, number(164, float{}), number(168, float{}),
-                                number(176, float{}), whole(218));
-  appendHeights<std::int32_t>(source, phases, step, grid.height,
-                              [](std::int32_t phase) { return phase >= kNoPhase; });
+  takeHeights(source,
+              {.bytes = reader.rest(),
+               .type = kStored<std::int32_t>,
+               .order = std::endian::big,
+               .scale = phaseStep(source, number(164), number(168), number(176), whole(218)),
+               .gaps = kNoPhase},
+              grid);
   return draft;
 }
 
-class Reader {
+class ZygoTextReader {
  public:
-  Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
+  ZygoTextReader(const SurfaceSource& source, std::string_view text)
+      : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
     const bool hasPoints = readHeader().starts_with(kXyz);
@@ -172,7 +172,8 @@ class Reader {
     const double scale = phaseStep(source_, number(8, 1), number(8, 2), number(8, 4), whole(11, 0));
     const auto count = static_cast<std::size_t>(grid.columns * grid.rows);
     requireSize(source_, grid.columns, grid.rows, reader_.left() + 1, 2);
-    readHeights(source_, reader_, count, {scale, kNoPhase, '#'}, grid.height);
+    readHeights(source_, reader_, count, {.scale = scale, .gaps = kNoPhase, .end = '#'},
+                grid.height);
     requireNoMoreHeights(source_, reader_, count);
   }
 
@@ -181,7 +182,7 @@ class Reader {
   std::vector<std::string_view> lines_;
 };
 
-bool isBinary(const SurfaceSource& source) {
+bool isBinaryZygo(const SurfaceSource& source) {
   return std::ranges::any_of(
       kMagics, [&source](std::string_view magic) { return source.bytes.starts_with(magic); });
 }
@@ -190,15 +191,15 @@ bool isBinary(const SurfaceSource& source) {
 
 bool isZygo(const SurfaceSource& source) {
   const std::string_view bytes = withoutByteOrderMark(source.bytes);
-  if (isBinary(source)) return true;
+  if (isBinaryZygo(source)) return true;
   return bytes.starts_with(kXyz) || bytes.starts_with(kPhases);
 }
 
 SurfaceDraft readZygo(const SurfaceSource& source) {
   if (!isZygo(source)) source.fail(message("is not a {} file", "Zygo"));
-  if (isBinary(source)) return readBinary(source);
+  if (isBinaryZygo(source)) return readBinaryZygo(source);
   const DecodedText decoded(source.bytes, source.name);
-  return Reader(source, decoded.text).read();
+  return ZygoTextReader(source, decoded.text).read();
 }
 
 }  // namespace asperity

@@ -23,7 +23,7 @@ Diagram forcesDiagram(const GroupedMeans& means) {
   for (std::size_t j = 0; j <= last; ++j) {
     DiagramSeries series = frictionSeries(means, j, "");
     series.ramp = static_cast<double>(j) / static_cast<double>(last);
-    for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
+    series.dropErrors();
     diagram.series.push_back(std::move(series));
   }
   diagram.ramp = DiagramRamp{"normal force", printed(means.normalForce(0), "N"),

@@ -187,12 +187,11 @@ Temperatures testTemperatures(const Scene& base, FigureWork& work) {
     DiagramSeries raw = frictionSeries(means, 0, message("{:g} \u00B0C", celsius[k]));
     raw.colour = static_cast<int>(k);
     raw.stroke = SeriesStroke::Dotted;
+    raw.dropErrors();
     DiagramSeries marks = raw;
     marks.name = {};
     marks.stroke = SeriesStroke::None;
     marks.mark = SeriesMark::Circle;
-    for (DiagramSeries* series : {&raw, &marks})
-      for (DiagramPoint& point : series->points) point.low = point.high = kNotApplicable;
     for (DiagramPoint& point : marks.points) point.x *= factor;
     result.diagram.series.push_back(std::move(raw));
     shifted.push_back(std::move(marks));
@@ -217,8 +216,8 @@ DiagramSeries plainSeries(const GroupedMeans& means, const Variant& variant, boo
   series.stroke = variant.stroke;
   if (variant.kind == 0) series.mark = SeriesMark::Circle;
   const Shift shift = isShifted ? masterShift(means) : Shift{1, 1};
+  series.dropErrors();
   for (DiagramPoint& point : series.points) {
-    point.low = point.high = kNotApplicable;
     point.x /= shift.velocity;
     point.y *= means.line().rmsSlope / shift.friction;
   }

@@ -46,10 +46,9 @@ Claim maximumClaim(const std::vector<GroupedMeans>& allMeans) {
 DiagramSeries spacingSeries(const GroupedMeans& means, double ramp, bool isNormalized) {
   DiagramSeries series = frictionSeries(means, 0, "");
   series.ramp = ramp;
-  for (DiagramPoint& point : series.points) {
-    point.low = point.high = kNotApplicable;
-    if (!isNormalized) point.y *= means.line().rmsSlope;
-  }
+  series.dropErrors();
+  if (!isNormalized)
+    for (DiagramPoint& point : series.points) point.y *= means.line().rmsSlope;
   return series;
 }
 

@@ -72,7 +72,7 @@ Diagram velocityDiagram(const Curves& curves) {
   diagram.series.push_back(band);
   DiagramSeries resolved =
       frictionSeries(means, 0, message("resolved line ({} lines)", means.realizations()));
-  for (DiagramPoint& point : resolved.points) point.low = point.high = kNotApplicable;
+  resolved.dropErrors();
   resolved.colour = 2;
   diagram.series.push_back(resolved);
 

@@ -393,8 +393,10 @@ TEST(PronyFile, HyperelasticMaterialsOfAbaqus) {
         "POLYNOMIAL\n4e5, 1e5, 1e-9", "REDUCED POLYNOMIAL, N=2\n5e5, 3., 1e-9, 0.",
         "OGDEN\n1e6, 3., 1e-9", "OGDEN, N=2\n7e5, 2., 3e5, -2., 1e-9, 0."})
     expectSeries(readSeries("*HYPERELASTIC, " + std::string(form) + "\n" + kSeries));
-  for (const char* form : {"OGDEN, N=3\n7e5, 2., 2e5, -2., 1e5, 3., 0., 0.\n0.",
-                           "POLYNOMIAL, N=2\n4e5, 1e5, 0., 0., 0., 1e-9, 0.", "VAN DER WAALS\n1e6"})
+  for (const char* form :
+       {"OGDEN, N=3\n7e5, 2., 2e5, -2., 1e5, 3., 0., 0.\n0.",
+        "POLYNOMIAL, N=2\n4e5, 1e5, 0., 0., 0., 1e-9, 0.", "VAN DER WAALS\n1e6",
+        "REDUCED POLYNOMIAL, N=0\n5e5, 1e-9", "REDUCED POLYNOMIAL, N=1.5\n5e5, 1e-9"})
     EXPECT_THAT(seriesError("*HYPERELASTIC, " + std::string(form) + "\n" + kSeries),
                 HasSubstr("has a hyperelastic form whose shear modulus is not read"));
   expectSeries(
