@@ -8,10 +8,10 @@
 
 #include "app/command_options.h"
 #include "app/curve_options.h"
-#include "app/material_options.h"
 #include "app/picture_options.h"
 #include "app/pictures/frame_source.h"
 #include "app/result_files.h"
+#include "core/material/material_options.h"
 
 namespace asperity {
 

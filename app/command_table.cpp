@@ -31,6 +31,64 @@ void addOutputs(CLI::App* command, std::vector<std::string>& outputs, const char
   mayRepeat(command->add_option("-o,--output", outputs, sentence));
 }
 
+/// Adds the options of material_options.h.
+void addMaterialOptions(CLI::App& command, WrittenOptions& options) {
+  const auto add = [&](const char* option, const char* sentence) {
+    return command.add_option_function<std::string>(
+        option,
+        [&options, option](const std::string& value) { options.emplace_back(option, value); },
+        sentence);
+  };
+  const auto addFlag = [&](const char* option, const char* sentence) {
+    command.add_flag_callback(
+        option, [&options, option] { options.emplace_back(option, "true"); }, sentence);
+  };
+  add("--reference-temperature",
+      "Temperature of the master curve, such as 20C (default: 25C where it was measured, else "
+      "the isotherm nearest to it)");
+  setIntegerRange(
+      add("--terms", "Number of relaxation times (default: as few as reach the smallest residual)"),
+      1, 64);
+  addFlag("--vertical-shifts", "Shift the moduli as well, which a scene does not use");
+  add("--shift", "Shift with temperature in material.json: auto, wlf, arrhenius or table")
+      ->default_str("auto");
+  add("--modulus", "What was measured: auto (by the columns), shear or tension")
+      ->default_str("auto");
+  setNumberRange(
+      add("--poisson-ratio", "Poisson's ratio, to convert moduli of tension: G = E / (2 (1 + nu))")
+          ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
+      0, 0.5);
+  add("--temperature",
+      "Temperature of a file that does not state one, such as 20C; of a series stated at several, "
+      "the one to read");
+  setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
+                     ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
+                 0.001, 100, "K");
+  mayRepeat(command.add_option_function<std::vector<std::string>>(
+      "--leave-out",
+      [&options](const std::vector<std::string>& values) {
+        for (const std::string& value : values) options.emplace_back("--leave-out", value);
+      },
+      "Temperature of an isotherm that is not used; may be repeated"));
+  add("--equilibrium-modulus",
+      "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
+  add("--instantaneous-modulus",
+      "Instantaneous shear modulus G_0, for a series of relative moduli");
+  addFlag("--liquid", "Allow an equilibrium modulus of 0, with which nothing slides steadily");
+  for (const char* column :
+       {"--frequency-column", "--temperature-column", "--storage-column", "--loss-column",
+        "--tan-delta-column", "--magnitude-column", "--phase-column", "--strain-column"})
+    add(column, "Name or number of the column");
+  add("--strain", "Strain amplitude to read, such as 1%, of a file with several");
+  add("--frequency-unit", "Hz or rad/s, instead of the file's");
+  add("--temperature-unit", "C, K or F, instead of the file's");
+  add("--modulus-unit",
+      "Pa, kPa, MPa or GPa, instead of the file's; viscosities are in it times s, compliances in "
+      "1/it");
+  add("--name", "Name of the material (default: that of the file)");
+  add("--source", "Where the numbers come from, kept in material.json");
+}
+
 }  // namespace
 
 void CommandTable::declareIn(CLI::App& app, std::function<int(const OpenCommand&)> remake) {
@@ -315,62 +373,7 @@ void CommandTable::addMaterial() {
       ->required();
   command->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
       ->required();
-  const auto add = [&](const char* option, const char* sentence) {
-    return command->add_option_function<std::string>(
-        option,
-        [&material, option](const std::string& value) {
-          material.options.emplace_back(option, value);
-        },
-        sentence);
-  };
-  const auto addFlag = [&](const char* option, const char* sentence) {
-    command->add_flag_callback(
-        option, [&material, option] { material.options.emplace_back(option, "true"); }, sentence);
-  };
-  add("--reference-temperature",
-      "Temperature of the master curve, such as 20C (default: 25C where it was measured, else "
-      "the isotherm nearest to it)");
-  setIntegerRange(
-      add("--terms", "Number of relaxation times (default: as few as reach the smallest residual)"),
-      1, 64);
-  addFlag("--vertical-shifts", "Shift the moduli as well, which a scene does not use");
-  add("--shift", "Shift with temperature in material.json: auto, wlf, arrhenius or table")
-      ->default_str("auto");
-  add("--modulus", "What was measured: auto (by the columns), shear or tension")
-      ->default_str("auto");
-  setNumberRange(
-      add("--poisson-ratio", "Poisson's ratio, to convert moduli of tension: G = E / (2 (1 + nu))")
-          ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
-      0, 0.5);
-  add("--temperature",
-      "Temperature of a file that does not state one, such as 20C; of a series stated at several, "
-      "the one to read");
-  setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
-                     ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
-                 0.001, 100, "K");
-  mayRepeat(command->add_option_function<std::vector<std::string>>(
-      "--leave-out",
-      [&material](const std::vector<std::string>& values) {
-        for (const std::string& value : values) material.options.emplace_back("--leave-out", value);
-      },
-      "Temperature of an isotherm that is not used; may be repeated"));
-  add("--equilibrium-modulus",
-      "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
-  add("--instantaneous-modulus",
-      "Instantaneous shear modulus G_0, for a series of relative moduli");
-  addFlag("--liquid", "Allow an equilibrium modulus of 0, with which nothing slides steadily");
-  for (const char* column :
-       {"--frequency-column", "--temperature-column", "--storage-column", "--loss-column",
-        "--tan-delta-column", "--magnitude-column", "--phase-column", "--strain-column"})
-    add(column, "Name or number of the column");
-  add("--strain", "Strain amplitude to read, such as 1%, of a file with several");
-  add("--frequency-unit", "Hz or rad/s, instead of the file's");
-  add("--temperature-unit", "C, K or F, instead of the file's");
-  add("--modulus-unit",
-      "Pa, kPa, MPa or GPa, instead of the file's; viscosities are in it times s, compliances in "
-      "1/it");
-  add("--name", "Name of the material (default: that of the file)");
-  add("--source", "Where the numbers come from, kept in material.json");
+  addMaterialOptions(*command, material.options);
   addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
   addColumnChoice(command, material.columns);
   addShared(*command, material.common);

@@ -28,13 +28,13 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/scene_files.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/draw/picture_file.h"
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "core/scene/scene_files.h"
 
 namespace asperity {
 namespace {

@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "app/command_line.h"
-#include "app/material_options.h"
 #include "app/output.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
 #include "core/material/material_model.h"
+#include "core/material/material_options.h"
 #include "core/material/material_summary.h"
 #include "core/scene/data_table.h"
 #include "core/scene/material_tables.h"

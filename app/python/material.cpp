@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "app/material_options.h"
 #include "app/python/call.h"
 #include "app/python/module.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/material/material_options.h"
 #include "core/material/material_summary.h"
 #include "core/scene/material_tables.h"
 

@@ -4,6 +4,7 @@
 
 #include "app/python/module.h"
 #include "core/base/input_error.h"
+#include "core/base/text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "core/scene/range.h"
@@ -107,6 +108,10 @@ void addScene(py::module_& module) {
   });
   module.def("kind", [](const std::string& key) { return fieldKind(knownParameter(key)); });
   module.def("is_key", [](const std::string& key) { return findParameter(key) != nullptr; });
+  module.def("nearest_word", [](const std::string& word, const std::vector<std::string>& known) {
+    return std::string(
+        nearestWord(word, std::vector<std::string_view>(known.begin(), known.end())));
+  });
   module.def("number", &numberFromWord);
   module.def("parameters", &parameterTable);
   module.def("range_values", &sweptValues);

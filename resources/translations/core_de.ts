@@ -5743,16 +5743,16 @@
         <translation>für diese Oberfläche reicht der Speicher nicht</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a number from 0 to 0.5</source>
-        <translation>„%1“ ist keine Zahl von 0 bis 0,5</translation>
+        <source>&apos;%1&apos; is not one of %2</source>
+        <translation>„%1“ ist nichts von %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no unit; write °C, K or °F after it</source>
         <translation>„%1“ hat keine Einheit; dahinter steht °C, K oder °F</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a temperature such as 20 °C, 293.15 K or 68 °F</source>
-        <translation>„%1“ ist keine Temperatur wie 20 °C, 293,15 K oder 68 °F</translation>
+        <source>&apos;%1&apos; is not a temperature such as 20C, 293.15K or 68F</source>
+        <translation>„%1“ ist keine Temperatur wie 20C, 293.15K oder 68F</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>

@@ -2,8 +2,9 @@
 // the bar with the title of a page. GUI thread; owned by their parent. Cannot fail.
 #pragma once
 
-#include <QLayout>
+#include <QFormLayout>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QString>
 #include <QWidget>
 #include <functional>
@@ -11,7 +12,6 @@
 #include <utility>
 
 class QAction;
-class QFormLayout;
 class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
@@ -27,6 +27,27 @@ Control* named(const QString& name, Arguments&&... arguments) {
   auto* control = new Control(std::forward<Arguments>(arguments)...);
   control->setObjectName(name);
   return control;
+}
+
+/// Makes a field of a form with its label, which is also its name for screen readers.
+template <class Field>
+Field* addField(QFormLayout& form, const QString& name, const QString& label,
+                const QString& tip = {}) {
+  auto* field = named<Field>(name);
+  field->setAccessibleName(QString(label).remove('&'));
+  field->setToolTip(tip);
+  form.addRow(label, field);
+  return field;
+}
+
+/// Makes a button of a page, which the Return key presses only where it has the focus. press:
+/// called by a click.
+template <class Receiver, class Press>
+QPushButton* pageButton(const QString& name, const QString& text, Receiver* receiver, Press press) {
+  auto* button = named<QPushButton>(name, text);
+  button->setAutoDefault(false);
+  QObject::connect(button, &QPushButton::clicked, receiver, press);
+  return button;
 }
 
 /// Widgets of several kinds, for a loop over them.

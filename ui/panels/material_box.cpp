@@ -2,16 +2,16 @@
 
 #include <QFileInfo>
 #include <QIcon>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
+#include "core/scene/scene_files.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -21,20 +21,16 @@ namespace {
 constexpr QSize kPreview{64, 26};  // pixels
 constexpr int kAsksForFile = Qt::UserRole + 1;
 
-QJsonObject shippedObject(std::string_view json) {
-  return QJsonDocument::fromJson({json.data(), static_cast<qsizetype>(json.size())}).object();
+/// Returns the name of a shipped material for people.
+std::string shippedName(const ShippedMaterial& material) {
+  return jsonOrDiscarded(material.json).value("name", std::string(material.name));
 }
 
-/// Returns the moduli of a shipped material at its reference temperature.
-Elastomer shippedElastomer(std::string_view json) {
-  const QJsonObject root = shippedObject(json);
-  Elastomer elastomer;
-  elastomer.equilibriumModulus = root["equilibrium_modulus"].toDouble();
-  elastomer.arms.clear();
-  for (const auto& arm : root["arms"].toArray())
-    elastomer.arms.push_back(
-        {arm.toObject()["modulus"].toDouble(), arm.toObject()["relaxation_time"].toDouble()});
-  return elastomer;
+/// Returns a shipped material.
+Elastomer shippedElastomer(const ShippedMaterial& material) {
+  Scene scene;
+  useMaterial(scene, std::string(material.name));
+  return scene.elastomer;
 }
 
 /// Draws storage modulus (solid) and loss modulus (pale) of an elastomer over all frequencies at
@@ -106,11 +102,8 @@ void MaterialBox::showMaterial(const Elastomer& elastomer) {
 void MaterialBox::showTexts() {
   clear();
   addItem(tr("own values"), QString());
-  for (const ShippedMaterial& material : shippedMaterials()) {
-    const QString name = shippedObject(material.json)["name"].toString();
-    addItem(name.isEmpty() ? fromUtf8(material.name) : translatedText(name.toStdString()),
-            fromUtf8(material.name));
-  }
+  for (const ShippedMaterial& material : shippedMaterials())
+    addItem(translatedText(shippedName(material)), fromUtf8(material.name));
   const QString present = QString::fromStdString(elastomer_.material);
   if (findData(present) < 0) {
     addItem(QFileInfo(present).fileName(), present);
@@ -126,7 +119,7 @@ void MaterialBox::showTexts() {
 void MaterialBox::showPopup() {
   for (const ShippedMaterial& material : shippedMaterials())
     setItemIcon(findData(fromUtf8(material.name)),
-                modulusIcon(shippedElastomer(material.json), kPreview, palette()));
+                modulusIcon(shippedElastomer(material), kPreview, palette()));
   if (currentIndex() >= 0 && itemIcon(currentIndex()).isNull())
     setItemIcon(currentIndex(), modulusIcon(elastomer_, kPreview, palette()));
   ChoiceBox::showPopup();

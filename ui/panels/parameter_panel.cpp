@@ -15,13 +15,13 @@
 #include "core/base/input_error.h"
 #include "core/scene/essentials.h"
 #include "core/scene/parameters.h"
+#include "core/scene/scene_files.h"
 #include "ui/language/translated.h"
 #include "ui/panels/labels.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_headers.h"
 #include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
-#include "core/scene/scene_files.h"
 
 namespace asperity {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/number_text.h"
+#include "core/scene/scene_files.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
-#include "core/scene/scene_files.h"
 
 namespace asperity {
 
@@ -44,7 +44,8 @@ Placeholder chosenOversampling(const Scene& scene) {
 
 Placeholder fromFile(const Parameter& parameter, double known) {
   if (!(known > 0)) return {ParameterPanel::tr("as in file"), {}, false};
-  const UnitText text = inReadableUnit(roundedToDigits(known, kDefaultDigits), fromUtf8(parameter.unit));
+  const UnitText text =
+      inReadableUnit(roundedToDigits(known, kDefaultDigits), fromUtf8(parameter.unit));
   return {inLanguage(text.number), known, false, text.unit};
 }
 

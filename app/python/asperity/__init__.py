@@ -108,19 +108,17 @@ def _assignments(values):
 
 
 def _input_error(key, message, file=None):
-    """An InputError of a key or an argument, or of a file where the key is None."""
-    error = InputError(f"{key or file}: {message}")
+    """An InputError of a key or an argument, or of a file where the key is None, or of neither."""
+    subject = key or file
+    error = InputError(f"{subject}: {message}" if subject else message)
     error.file, error.key, error.message = file, key, message
     return error
 
 
 def _nearest_scene(name):
-    """The shipped scene whose name a mistyped one is nearest to; None where none is near."""
-    import difflib
-
+    """The shipped scene whose name a mistyped one is nearest to; empty where none is near."""
     known = [file.removesuffix(".json") for file in sorted(os.listdir(_SCENES))]
-    near = difflib.get_close_matches(name.removesuffix(".json"), known, n=1, cutoff=0.8)
-    return near[0] if near else None
+    return _core.nearest_word(name.removesuffix(".json"), known)
 
 
 class Scene:

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import tempfile
 
-from . import InputError, Scene
+from . import InputError, Scene, _input_error
 
 
 def program():
@@ -58,10 +58,7 @@ def draw(verb, scene, *options, extension="png"):
             line = line.removeprefix("asperity: ") or "no picture was made"
             if run.returncode != 2:
                 raise RuntimeError(line)
-            error = InputError(line)
-            error.file = error.key = None
-            error.message = line
-            raise error
+            raise _input_error(None, line)
         with open(picture, "rb") as file:
             return file.read()
 

@@ -16,6 +16,7 @@
 #include "core/run/motion_accuracy.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/labels.h"
@@ -126,15 +127,13 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   column->addLayout(buttons);
 
   picture_ = new RegionPictures;
-  showInvitation();
   auto* line = marginless<QHBoxLayout>(this);
   scrolled_ = new ControlColumn(controls);
   line->addWidget(scrolled_);
   line->addWidget(picture_, 1);
-  showTexts();
+  keepTranslated(*this, [this] { showTexts(); });
 }
 
-/// Sets all texts that do not depend on the scene.
 void AccuracyPanel::showTexts() {
   const QString tip = errorsInWords() + ' ' +
                       tr("Measured is the time on the clock from the change of the scene to its "
@@ -149,15 +148,9 @@ void AccuracyPanel::showTexts() {
   free_->setToolTip(tr("Scheme, oversampling and realizations as set in the parameters"));
   showComparing();
   compare_->setToolTip(tr("Measures error against time of every method on this scene's lines"));
-}
-
-void AccuracyPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::LanguageChange) return;
-  showTexts();
   showTarget();
   if (measuredCurve_) showMeasured(*measuredCurve_);
-  if (isComparing_) {
+  if (comparison_.isBusy()) {
     picture_->showText(comparingText());
   } else if (!picture_->hasSheet()) {
     pictured_.reset();
@@ -259,7 +252,7 @@ void AccuracyPanel::showPrediction(const Prediction& prediction) {
 /// Drops the diagram of another scene. The diagram does not depend on the method that computes the
 /// curve.
 void AccuracyPanel::dropOldPicture() {
-  if (!pictured_ || isComparing_) return;
+  if (!pictured_ || comparison_.isBusy()) return;
   Scene same = *pictured_;
   same.accuracy = scene_.accuracy;
   same.ensemble = scene_.ensemble;
@@ -274,12 +267,11 @@ void AccuracyPanel::showInvitation() {
 
 /// Starts the comparison, or cancels the one that runs.
 void AccuracyPanel::compareMethods() {
-  if (isComparing_) {
+  if (comparison_.isBusy()) {
     comparison_.cancel();
-    setComparing(false);
+    showComparing();
     return picture_->showText(tr("cancelled"));
   }
-  setComparing(true);
   pictured_ = scene_;
   picture_->showText(comparingText());
   comparison_.request(
@@ -293,23 +285,19 @@ void AccuracyPanel::compareMethods() {
         return workPrecisionSheet(workPrecision(scene, options));
       },
       [this](const DiagramSheet& sheet) {
-        setComparing(false);
+        showComparing();
         picture_->showSheet(sheet);
         dropOldPicture();  // the scene may have changed meanwhile
       },
       [this](const QString& reason) {
-        setComparing(false);
+        showComparing();
         picture_->showText(reason);
       });
-}
-
-void AccuracyPanel::setComparing(bool isComparing) {
-  isComparing_ = isComparing;
   showComparing();
 }
 
 void AccuracyPanel::showComparing() {
-  compare_->setText(isComparing_ ? tr("Cancel") : tr("Compare methods"));
+  compare_->setText(comparison_.isBusy() ? tr("Cancel") : tr("Compare methods"));
 }
 
 }  // namespace asperity

@@ -57,7 +57,6 @@ class AccuracyPanel : public QWidget {
   void comparisonChanged();
 
  protected:
-  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
@@ -70,7 +69,6 @@ class AccuracyPanel : public QWidget {
   void compareMethods();
   void dropOldPicture();
   void showInvitation();
-  void setComparing(bool isComparing);
   void showComparing();
 
   Scene scene_;
@@ -84,7 +82,6 @@ class AccuracyPanel : public QWidget {
   QPushButton* compare_;  // starts and cancels the comparison
   QWidget* scrolled_;     // the controls
   RegionPictures* picture_;
-  bool isComparing_ = false;
   std::optional<Scene> pictured_;           // scene of the comparison in the picture
   std::optional<CurveCost> measuredCurve_;  // to show it again in another language
   BackgroundWork comparison_,

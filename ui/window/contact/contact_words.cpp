@@ -64,24 +64,18 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   text_->setTabChangesFocus(true);
   // The text has a caret, with which the sentences are read line by line and selected.
   text_->setTextInteractionFlags(Qt::TextSelectableByKeyboard | Qt::TextSelectableByMouse);
-  auto* renew = named<QPushButton>("contactWordsAgain", tr("&Renew"));
+  auto* renew = pageButton("contactWordsAgain", tr("&Renew"), this, &ContactWords::refresh);
   renew->setToolTip(
       tr("The state at this moment (%1)")
           .arg(QKeySequence(Qt::CTRL | Qt::Key_D).toString(QKeySequence::NativeText)));
-  auto* copy = named<QPushButton>("contactWordsCopy", tr("&Copy"));
-  auto* close = named<QPushButton>("contactWordsClose", tr("C&lose"));
-  connect(renew, &QPushButton::clicked, this, &ContactWords::refresh);
+  auto* copy = pageButton("contactWordsCopy", tr("&Copy"), this,
+                          [this] { QGuiApplication::clipboard()->setText(text()); });
+  auto* close = pageButton("contactWordsClose", tr("C&lose"), this, &QDialog::close);
   connect(new QShortcut(Qt::CTRL | Qt::Key_D, this), &QShortcut::activated, this,
           &ContactWords::refresh);
-  connect(copy, &QPushButton::clicked, this,
-          [this] { QGuiApplication::clipboard()->setText(text()); });
-  connect(close, &QPushButton::clicked, this, &QDialog::close);
   auto* foot = new QHBoxLayout;
   foot->addStretch(1);
-  for (QPushButton* button : {renew, copy, close}) {
-    button->setAutoDefault(false);
-    foot->addWidget(button);
-  }
+  for (QPushButton* button : {renew, copy, close}) foot->addWidget(button);
   auto* column = new QVBoxLayout(this);
   column->addWidget(text_, 1);
   column->addLayout(foot);

@@ -97,7 +97,7 @@ void InfluencePage::showTexts() {
 
 /// Shows how much is computed, while there is nothing else to show.
 void InfluencePage::showProgress() {
-  if (isComputing_)
+  if (work_.isBusy())
     view_->setPlaceholder(tr("The influences are being computed… %1 %").arg(percent_));
 }
 
@@ -122,22 +122,16 @@ void InfluencePage::showEvent(QShowEvent* event) {
 /// Stops the computation: a hidden page takes no processor time.
 void InfluencePage::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  endComputing();
-}
-
-void InfluencePage::endComputing() {
   work_.cancel();
-  isComputing_ = false;
 }
 
 void InfluencePage::compute() {
   if (!scene_ || !isVisible()) return;
   const bool hasWaves = showsWaves();
   // Another computation may be under way.
-  if (shown_ == scene_ && shownWaves_ == hasWaves) return endComputing();
+  if (shown_ == scene_ && shownWaves_ == hasWaves) return work_.cancel();
   const Scene scene = *scene_;
   const auto take = [this, scene, hasWaves](const Result& result) {
-    isComputing_ = false;
     shown_ = scene;
     shownWaves_ = hasWaves;
     const char* verb = hasWaves ? "cutoff" : "sensitivity";
@@ -155,7 +149,6 @@ void InfluencePage::compute() {
          [sheet = result.sheet] { return sheet; }});
   };
   const auto fail = [this](const LiveText& reason) {
-    isComputing_ = false;
     shown_.reset();
     note_ = {};
     view_->setPlaceholder({});
@@ -169,9 +162,7 @@ void InfluencePage::compute() {
     view_->clear();
     shown_.reset();
   }
-  isComputing_ = true;
   percent_ = 0;
-  showProgress();
   work_.request(
       [this, scene, hasWaves](const BackgroundWork::Run& run) {
         StateOptions options{.stop = run.stop()};
@@ -182,6 +173,7 @@ void InfluencePage::compute() {
         return hasWaves ? computeCutoff(scene, options) : computeSensitivity(scene, options);
       },
       take, fail);
+  showProgress();
 }
 
 }  // namespace asperity

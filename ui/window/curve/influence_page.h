@@ -37,7 +37,6 @@ class InfluencePage : public QWidget {
  private:
   void showTexts();
   void compute();
-  void endComputing();
   void showProgress();
   bool showsWaves() const;
   int heightFor(const DiagramSheet& sheet) const;
@@ -48,7 +47,6 @@ class InfluencePage : public QWidget {
   std::optional<Scene> scene_;
   std::optional<Scene> shown_;  // what the diagram belongs to, with `shownWaves_`
   bool shownWaves_ = false;
-  bool isComputing_ = false;
   int percent_ = 0;      // of the computation that is done
   Message note_{};       // of the diagram
   BackgroundWork work_;  // last: its thread ends before other members are destroyed

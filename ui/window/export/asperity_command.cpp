@@ -14,12 +14,12 @@
 #include "core/scene/parameters.h"
 #include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/scene_files.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "core/scene/scene_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -75,23 +75,23 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   setObjectName("exportForm");
   rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   rows_->setContentsMargins(0, 0, 6, 0);
-  kind_ = addChoice("exportKind", tr("&Kind"));
+  kind_ = addField<ChoiceBox>(*rows_, "exportKind", tr("&Kind"));
   kind_->addItem(tr("Picture"), "picture");
   kind_->addItem(tr("Film"), "film");
   kind_->addItem(tr("Table"), "table");
   kind_->addItem(tr("Figures of the paper"), "figure");
-  content_ = addChoice("exportContent", tr("&What"));
-  format_ = addChoice("exportFormat", tr("&Format"));
-  style_ = addChoice("exportStyle", tr("St&yle"));
+  content_ = addField<ChoiceBox>(*rows_, "exportContent", tr("&What"));
+  format_ = addField<ChoiceBox>(*rows_, "exportFormat", tr("&Format"));
+  style_ = addField<ChoiceBox>(*rows_, "exportStyle", tr("St&yle"));
   style_->addItem(tr("none"), "");
   for (const std::string_view name : shippedStyles())
     style_->addItem(fromUtf8(name), fromUtf8(name));
   addSize();
-  density_ =
-      addEntry("exportDensity", tr("&Resolution (dpi)"),
-               tr("Pixels per inch. More of them make texts and lines of a picture in pixels "
-                  "larger, and a picture on paper finer."));
-  theme_ = addChoice("exportTheme", tr("&Theme"));
+  density_ = addField<QLineEdit>(
+      *rows_, "exportDensity", tr("&Resolution (dpi)"),
+      tr("Pixels per inch. More of them make texts and lines of a picture in pixels "
+         "larger, and a picture on paper finer."));
+  theme_ = addField<ChoiceBox>(*rows_, "exportTheme", tr("&Theme"));
   theme_->addItem(tr("automatic"), "");
   theme_->addItem(tr("light"), "light");
   theme_->addItem(tr("dark"), "dark");
@@ -104,17 +104,18 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   asShown_->setChecked(true);
   rows_->addRow(asShown_);
   addFilm();
-  columns_ = addEntry("exportColumns", tr("Co&lumns"),
-                      tr("Names of columns, separated by commas; empty: all"));
+  columns_ = addField<QLineEdit>(*rows_, "exportColumns", tr("Co&lumns"),
+                                 tr("Names of columns, separated by commas; empty: all"));
   columns_->setPlaceholderText(tr("all"));
-  realizations_ = addEntry("exportRealizations", tr("A&verage of lines"),
-                           tr("Random lines over which each point is a mean; the paper has 200"));
+  realizations_ =
+      addField<QLineEdit>(*rows_, "exportRealizations", tr("A&verage of lines"),
+                          tr("Random lines over which each point is a mean; the paper has 200"));
   realizations_->setText("200");
 
-  further_ =
-      addEntry("exportFurther", tr("&Other options"),
-               tr("Any other options of the command, such as --font-size 9 --title none; asperity "
-                  "render --help lists them"));
+  further_ = addField<QLineEdit>(
+      *rows_, "exportFurther", tr("&Other options"),
+      tr("Any other options of the command, such as --font-size 9 --title none; asperity "
+         "render --help lists them"));
 
   fillContents();
   choose(*theme_, shown_.dark ? "dark" : "");
@@ -127,9 +128,10 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
 
 /// Adds the rows of a film: its length, its frames, and how fast the contact moves in it.
 void ExportForm::addFilm() {
-  duration_ = addEntry("exportDuration", tr("&Duration (s)"), tr("Length of the film in seconds"));
+  duration_ = addField<QLineEdit>(*rows_, "exportDuration", tr("&Duration (s)"),
+                                  tr("Length of the film in seconds"));
   duration_->setText("6");
-  rate_ = addEntry("exportRate", tr("Fra&mes per s"), tr("0.001 to 1000"));
+  rate_ = addField<QLineEdit>(*rows_, "exportRate", tr("Fra&mes per s"), tr("0.001 to 1000"));
   rate_->setText("25");
   speedRow_ = new QWidget;
   auto* speed = marginless<QHBoxLayout>(speedRow_);
@@ -183,25 +185,9 @@ void ExportForm::followChoice(const QComboBox* box) {
   emit changed();
 }
 
-QComboBox* ExportForm::addChoice(const char* name, const QString& label) {
-  auto* box = named<ChoiceBox>(name);
-  rows_->addRow(label, box);
-  box->setAccessibleName(QString(label).remove('&'));
-  return box;
-}
-
-QLineEdit* ExportForm::addEntry(const char* name, const QString& label, const QString& tip) {
-  auto* entry = named<QLineEdit>(name);
-  entry->setToolTip(tip);
-  rows_->addRow(label, entry);
-  entry->setAccessibleName(QString(label).remove('&'));
-  entry->setAccessibleDescription(tip);
-  return entry;
-}
-
 /// Adds the named sizes, and below them width, height and unit in one row.
 void ExportForm::addSize() {
-  preset_ = addChoice("exportPreset", tr("S&ize"));
+  preset_ = addField<ChoiceBox>(*rows_, "exportPreset", tr("S&ize"));
   size_ = new QWidget;
   auto* row = marginless<QHBoxLayout>(size_);
   width_ = named<QLineEdit>("exportWidth");

@@ -65,8 +65,6 @@ class ExportForm : public QWidget {
   void changed();
 
  private:
-  QComboBox* addChoice(const char* name, const QString& label);
-  QLineEdit* addEntry(const char* name, const QString& label, const QString& tip);
   void addSize();
   void addFilm();
   void connectControls();

@@ -85,7 +85,6 @@ void DiagramView::clear() {
   maker_ = {};
   image_ = {};
   frames_.clear();
-  shown_ = 0;
   update();
 }
 
@@ -118,7 +117,6 @@ void DiagramView::request() {
   const QSize pixels = size() * scale;
   const DiagramOptions options{pixels.width(), pixels.height(),
                                static_cast<float>(scale * markScale(font())), theme_, kMinText};
-  ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
         const DiagramSheet sheet = readableSheet(makeSheet(maker), options);
@@ -129,8 +127,7 @@ void DiagramView::request() {
           frame.area = {frame.area.topLeft() / scale, frame.area.size() / scale};
         return std::pair{image, std::move(frames)};
       },
-      [this, number = asked_](const std::pair<QImage, std::vector<ChartGeometry>>& made) {
-        shown_ = number;
+      [this](const std::pair<QImage, std::vector<ChartGeometry>>& made) {
         image_ = made.first;
         frames_ = made.second;
         update();

@@ -59,7 +59,7 @@ class DiagramView : public QWidget {
   void saveAs();
 
   /// Returns whether the newest request is on the screen.
-  bool isPainted() const { return shown_ > 0 && shown_ == asked_ && !isDue_; }
+  bool isPainted() const { return !image_.isNull() && !pictures_.isBusy() && !isDue_; }
   const QImage& image() const { return image_; }
 
   /// Writes the diagram in the background: .png, .svg, .pdf, or .csv where it has a table. saved()
@@ -101,7 +101,6 @@ class DiagramView : public QWidget {
   std::vector<ChartGeometry> frames_;
   QTimer* pause_;
   bool isDue_ = false;
-  quint64 asked_ = 0, shown_ = 0;  // numbers of requests
   // Last: their threads end before other members are destroyed.
   BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
   BackgroundWork files_{RequestPolicy::RunInOrder};

@@ -53,7 +53,7 @@ void FigurePicture::setMinTextSize(float part) {
 }
 
 bool FigurePicture::isPainted() const {
-  return figure_ && shown_ == asked_ && image_.size() == size() * devicePixelRatioF();
+  return figure_ && !pictures_.isBusy() && image_.size() == size() * devicePixelRatioF();
 }
 
 void FigurePicture::requestPicture() {
@@ -62,7 +62,6 @@ void FigurePicture::requestPicture() {
   const QSize pixels = size() * scale;
   DiagramOptions options{pixels.width(), pixels.height(),
                          static_cast<float>(scale * markScale(font())), theme_, minTextSize_};
-  ++asked_;
   pictures_.request(
       [made = figure_, options, scale](const BackgroundWork::Run&) {
         QImage image = renderImage(contextOfThread(),
@@ -70,8 +69,7 @@ void FigurePicture::requestPicture() {
         image.setDevicePixelRatio(scale);
         return image;
       },
-      [this, number = asked_](const QImage& image) {
-        shown_ = number;
+      [this](const QImage& image) {
         image_ = image;
         update();
         emit painted();

@@ -54,7 +54,6 @@ class FigurePicture : public QWidget {
   Theme theme_ = lightTheme();
   float minTextSize_ = 0;
   QImage image_;
-  std::uint64_t asked_ = 0, shown_ = 0;  // numbers of requests
   // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
 };

@@ -82,55 +82,49 @@ void FigureQueue::compute(FigureName name, std::int64_t realizations) {
   FigureStatus& status = of(name);
   if (status.work != FigureStage::None) return;
   status.work = FigureStage::Waiting;
-  waiting_.push_back({name, realizations});
+  queue_.push_back(name);
+  const auto progressed = [this, name](double part) {
+    of(name).part = part;
+    emit changed(name);
+  };
+  work_.request(
+      [maker = maker_, name, realizations, progressed](const BackgroundWork::Run& run) {
+        return computeFigure(run, maker, name, realizations, progressed);
+      },
+      [this, name](std::shared_ptr<const ComputedFigure> made) {
+        of(name).made = std::move(made);
+        end(name);
+      },
+      [this, name](const LiveText& reason) {
+        of(name).error = reason;
+        end(name);
+      });
+  if (queue_.size() == 1) begin(name);
   emit changed(name);
-  startNext();
+}
+
+void FigureQueue::begin(FigureName name) {
+  of(name).work = FigureStage::Computing;
+  of(name).part = 0;
+  of(name).error = {};
 }
 
 /// Cancels the present computation; its thread ends within one pass over a line.
 void FigureQueue::cancel() {
   work_.cancel();
-  const std::deque<Job> forgotten = std::exchange(waiting_, {});
-  for (const Job& job : forgotten) {
-    of(job.name).work = FigureStage::None;
-    emit changed(job.name);
-  }
-  if (computing_) end(*computing_);
-}
-
-void FigureQueue::startNext() {
-  if (computing_ || waiting_.empty()) return;
-  const Job job = waiting_.front();
-  waiting_.pop_front();
-  computing_ = job.name;
-  FigureStatus& status = of(job.name);
-  status.work = FigureStage::Computing;
-  status.part = 0;
-  status.error = {};
-  const auto progressed = [this, name = job.name](double part) {
-    of(name).part = part;
+  for (const FigureName name : std::exchange(queue_, {})) {
+    of(name).work = FigureStage::None;
     emit changed(name);
-  };
-  work_.request(
-      [maker = maker_, job, progressed](const BackgroundWork::Run& run) {
-        return computeFigure(run, maker, job.name, job.realizations, progressed);
-      },
-      [this, name = job.name](std::shared_ptr<const ComputedFigure> made) {
-        of(name).made = std::move(made);
-        end(name);
-      },
-      [this, name = job.name](const LiveText& reason) {
-        of(name).error = reason;
-        end(name);
-      });
-  emit changed(job.name);
+  }
 }
 
+/// Ends the first of the queue, and shows that the next one is being computed.
 void FigureQueue::end(FigureName name) {
   of(name).work = FigureStage::None;
-  computing_.reset();
+  queue_.pop_front();
+  if (!queue_.empty()) begin(queue_.front());
   emit changed(name);
-  startNext();
+  if (!queue_.empty()) emit changed(queue_.front());
 }
 
 }  // namespace asperity

@@ -71,7 +71,9 @@ class FigureQueue : public QObject {
   const FigureStatus& status(FigureName name) const { return of(name); }
 
   /// Returns the figure that is being computed.
-  std::optional<FigureName> computing() const { return computing_; }
+  std::optional<FigureName> computing() const {
+    return queue_.empty() ? std::nullopt : std::optional(queue_.front());
+  }
 
   /// Computes a figure after those that wait. It does nothing where the figure already runs or
   /// waits.
@@ -88,18 +90,14 @@ class FigureQueue : public QObject {
   const FigureStatus& of(FigureName name) const {
     return statuses_[static_cast<std::size_t>(name)];
   }
-  void startNext();
+  void begin(FigureName name);
   void end(FigureName name);
 
   std::vector<FigureStatus> statuses_;
-  struct Job {
-    FigureName name = FigureName::Contact;
-    std::int64_t realizations = 20;
-  };
-  std::deque<Job> waiting_;
-  std::optional<FigureName> computing_;
+  std::deque<FigureName> queue_;  // the first one is being computed
   const FigureMaker maker_;
-  BackgroundWork work_;  // last: its thread ends before other members are destroyed
+  // Last: its thread ends before other members are destroyed.
+  BackgroundWork work_{RequestPolicy::RunUntilEnd};
 };
 
 }  // namespace asperity

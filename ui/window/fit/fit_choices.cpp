@@ -30,15 +30,10 @@ namespace {
 constexpr int kName = 0, kNow = 1, kLow = 2, kHigh = 3;  // columns
 constexpr int kDefaultLines = 50;                        // where the scene states a target instead
 
-QString quantity(double value, const Parameter& row) {
-  const UnitText text = inReadableUnit(value, fromUtf8(row.unit));
-  return (inLanguage(text.number) + ' ' + text.unit).trimmed();
-}
-
 /// Returns the number with few enough digits to leave space for the name.
 QString shortQuantity(double value, const Parameter& row) {
   constexpr int kDigits = 6;
-  return quantity(roundedToDigits(value, kDigits), row);
+  return textWithUnit(row, roundedToDigits(value, kDigits));
 }
 
 /// Returns the numbers that can be varied. The tables give the velocities, and how a measured
@@ -95,9 +90,9 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
     const int row = static_cast<int>(i);
     keys_->item(row, kName)->setCheckState(Qt::Checked);
     if (kept->second.low)
-      keys_->item(row, kLow)->setText(quantity(*kept->second.low, parameters_[i].row()));
+      keys_->item(row, kLow)->setText(textWithUnit(parameters_[i].row(), *kept->second.low));
     if (kept->second.high)
-      keys_->item(row, kHigh)->setText(quantity(*kept->second.high, parameters_[i].row()));
+      keys_->item(row, kHigh)->setText(textWithUnit(parameters_[i].row(), *kept->second.high));
     for (const int cell : {kLow, kHigh}) take(*keys_->item(row, cell));
   }
   fillTables();
@@ -151,7 +146,7 @@ void FitChoices::fillKeys() {
     name->setToolTip(wrappedTip(translatedText(parameter.row().sentence)));
     name->setData(Qt::UserRole, fromUtf8(parameter.key()));
     auto* now = new QTableWidgetItem(shortQuantity(parameter.valueIn(scene_), parameter.row()));
-    now->setToolTip(quantity(parameter.valueIn(scene_), parameter.row()));
+    now->setToolTip(textWithUnit(parameter.row(), parameter.valueIn(scene_)));
     now->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     keys_->setItem(row, kName, name);
     keys_->setItem(row, kNow, now);
@@ -201,7 +196,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
   if (limit) {
-    cell.setText(quantity(*limit, row));
+    cell.setText(textWithUnit(row, *limit));
     cell.setToolTip(cell.text() + '\n' + cell.toolTip());  // the cell may cut it
   }
   // A parameter whose limit is set is also varied.

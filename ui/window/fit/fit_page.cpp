@@ -52,10 +52,10 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
       scene_(scene),
       chooser_(askFolder),
       choices_(new FitChoices(scene, before)),
-      run_(named<QPushButton>("fitRun")),
-      save_(named<QPushButton>("fitSave", tr("&Save report…"))),
-      use_(named<QPushButton>("fitUse", tr("&Use these values"))),
-      close_(named<QPushButton>("fitClose", tr("&Close"))),
+      run_(pageButton("fitRun", {}, this, &FitPage::pressRun)),
+      save_(pageButton("fitSave", tr("&Save report…"), this, &FitPage::saveReport)),
+      use_(pageButton("fitUse", tr("&Use these values"), this, &FitPage::useValues)),
+      close_(pageButton("fitClose", tr("&Close"), this, &QDialog::reject)),
       table_(named<QLabel>("fitTable")),
       warnings_(warningTextLabel("fitWarnings")),
       notes_(named<QLabel>("fitNotes")),
@@ -69,8 +69,6 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   setAttribute(Qt::WA_DeleteOnClose);
   auto* left = new QVBoxLayout;
   left->addWidget(choices_, 1);
-  run_->setAutoDefault(false);
-  connect(run_, &QPushButton::clicked, this, &FitPage::pressRun);
   left->addWidget(run_);
   choices_->setFixedWidth(std::max(kChoicesWidth, choices_->minimumSizeHint().width()));
   auto* halves = new QHBoxLayout;
@@ -98,7 +96,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   all->addLayout(foot());
   resizePage(*this, kDefault);
   connect(choices_, &FitChoices::changed, this, [this] {
-    if (!isFitting_) finish(choices_->refusal());
+    if (!isFitting()) finish(choices_->refusal());
   });
   connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
   notes_->setText(
@@ -134,10 +132,6 @@ QLayout* FitPage::foot() {
   message_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   progress_->setRange(0, 0);
   progress_->setAccessibleName(tr("progress of the fit"));
-  for (QPushButton* button : {save_, use_, close_}) button->setAutoDefault(false);
-  connect(save_, &QPushButton::clicked, this, &FitPage::saveReport);
-  connect(use_, &QPushButton::clicked, this, &FitPage::useValues);
-  connect(close_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
   foot->addWidget(message_, 1);
   foot->addWidget(progressText_);
@@ -154,7 +148,7 @@ QString FitPage::errorText() const {
 }
 
 void FitPage::pressRun() {
-  if (isFitting_)
+  if (isFitting())
     stop();
   else
     begin();
@@ -172,12 +166,9 @@ void FitPage::begin() {
   } catch (const InputError& error) {
     return finish(errorWithLabel(error));
   }
-  isFitting_ = true;
   chiSquared_.clear();
   message_->clear();
   sheets_->setCurrentIndex(kProgress);
-  showProgress(0, 0);
-  showState();
   work_.request(
       [this, scene, varied, texts = variedTexts(selection),
        hasProfiles = choices_->needsProfiles()](const BackgroundWork::Run& run) {
@@ -192,20 +183,15 @@ void FitPage::begin() {
         fitted->varied = texts;
         return fitted;
       },
-      [this](const std::shared_ptr<FittedCurve>& fitted) {
-        isFitting_ = false;
-        take(fitted);
-      },
-      [this](const QString& reason) {
-        isFitting_ = false;
-        finish(reason);
-      });
+      [this](const std::shared_ptr<FittedCurve>& fitted) { take(fitted); },
+      [this](const QString& reason) { finish(reason); });
+  showProgress(0, 0);
+  showState();
 }
 
 /// Nothing of the stopped fit arrives later.
 void FitPage::stop() {
   work_.cancel();
-  isFitting_ = false;
   finish(tr("The fit was stopped"), MessageKind::Note);
 }
 
@@ -253,14 +239,15 @@ void FitPage::finish(const QString& text, MessageKind kind) {
 }
 
 void FitPage::showState() {
-  run_->setText(isFitting_ ? tr("&Stop") : fitted_ ? tr("&Fit again") : tr("&Fit"));
-  run_->setEnabled(isFitting_ || choices_->isEnough());
-  choices_->setEnabled(!isFitting_);
-  close_->setEnabled(!isSaving_);
-  for (QWidget* part : Widgets{progress_, progressText_}) part->setVisible(isFitting_);
-  for (QWidget* part : Widgets{sheets_, sheet_}) part->setVisible(isFitting_ || fitted_);
+  const bool isSaving = files_.isBusy();
+  run_->setText(isFitting() ? tr("&Stop") : fitted_ ? tr("&Fit again") : tr("&Fit"));
+  run_->setEnabled(isFitting() || choices_->isEnough());
+  choices_->setEnabled(!isFitting());
+  close_->setEnabled(!isSaving);
+  for (QWidget* part : Widgets{progress_, progressText_}) part->setVisible(isFitting());
+  for (QWidget* part : Widgets{sheets_, sheet_}) part->setVisible(isFitting() || fitted_);
   for (QPushButton* button : {save_, use_})
-    button->setEnabled(fitted_ && !isFitting_ && !isSaving_);
+    button->setEnabled(fitted_ && !isFitting() && !isSaving);
 }
 
 void FitPage::showSheet() {
@@ -290,27 +277,22 @@ void FitPage::saveReport() {
   if (!fitted_) return;
   const QString folder = chooser_(this, QString::fromStdString(scene_.folder.string()));
   if (folder.isEmpty()) return;
-  isSaving_ = true;
-  showState();
   files_.request(
       [folder = folder.toStdString(), fitted = fitted_](const BackgroundWork::Run&) {
         return writeFitReport(folder, *fitted);
       },
       [this, folder](const QStringList& files) {
-        isSaving_ = false;
         finish(tr("Saved %1 files in %2").arg(files.size()).arg(QDir::toNativeSeparators(folder)),
                MessageKind::Note);
         emit reportSaved(folder);
       },
-      [this](const QString& reason) {
-        isSaving_ = false;
-        finish(reason);
-      });
+      [this](const QString& reason) { finish(reason); });
+  showState();
 }
 
 /// The page stays until its report is written: nobody would learn that it could not be.
 void FitPage::reject() {
-  if (!isSaving_) QDialog::reject();
+  if (!files_.isBusy()) QDialog::reject();
 }
 
 void FitPage::keyPressEvent(QKeyEvent* event) {

@@ -37,7 +37,7 @@ class FitPage : public QDialog {
   FitChoices& choices() { return *choices_; }
   /// Returns what is shown; null before the first fit has ended.
   const FittedCurve* fitted() const { return fitted_.get(); }
-  bool isFitting() const { return isFitting_; }
+  bool isFitting() const { return work_.isBusy(); }
   /// Returns the error message, or the note in its place; empty without either.
   QString errorText() const;
 
@@ -73,7 +73,6 @@ class FitPage : public QDialog {
   FileChooser chooser_;
   std::shared_ptr<const FittedCurve> fitted_;
   std::vector<double> chiSquared_;  // of each evaluation so far
-  bool isFitting_ = false, isSaving_ = false;
   FitChoices* choices_;
   QPushButton *run_, *save_, *use_, *close_;
   QLabel *table_, *warnings_, *notes_, *message_, *progressText_;

@@ -212,9 +212,7 @@ void SceneThumbnails::setTheme(const Theme& theme) {
   if (isDark(theme) == isDark(theme_) && !requested_.isEmpty()) return;
   theme_ = theme;
   requested_.clear();
-  waiting_.clear();
   work_.cancel();
-  isDrawing_ = false;
 }
 
 QPixmap SceneThumbnails::picture(const QString& scene) {
@@ -226,29 +224,12 @@ void SceneThumbnails::requestAll() {
   for (const LibraryScene& entry : libraryScenes()) request(entry.name);
 }
 
-void SceneThumbnails::request(const QString& scene) {
-  if (requested_.contains(scene)) return;
-  requested_ += scene;
-  waiting_.push_back(scene);
-  drawNext();
-}
-
-void SceneThumbnails::drawNext() {
-  if (isDrawing_ || waiting_.empty()) return;
-  const QString name = waiting_.front();
-  waiting_.pop_front();
+void SceneThumbnails::request(const QString& name) {
+  if (requested_.contains(name)) return;
+  requested_ += name;
   const LibraryScene* found = findLibraryScene(name);
   const SceneCard* card = findCard(name);
-  if (!found || !card) return drawNext();
-  isDrawing_ = true;
-  const auto done = [this, name](const QImage& image) {
-    isDrawing_ = false;
-    if (!image.isNull()) {
-      pictures_[name] = QPixmap::fromImage(image);
-      emit changed(name);
-    }
-    drawNext();
-  };
+  if (!found || !card) return;
   work_.request(
       [draw = draw_, scene = found->scene, view = card->view, theme = theme_,
        folder = folder_](const BackgroundWork::Run& run) {
@@ -259,7 +240,10 @@ void SceneThumbnails::drawNext() {
         keepPicture(file, image);
         return image;
       },
-      done, [done](const QString&) { done({}); });
+      [this, name](const QImage& image) {
+        pictures_[name] = QPixmap::fromImage(image);
+        emit changed(name);
+      });
 }
 
 }  // namespace asperity

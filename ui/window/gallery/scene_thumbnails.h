@@ -10,7 +10,6 @@
 #include <QObject>
 #include <QPixmap>
 #include <QSet>
-#include <deque>
 #include <functional>
 #include <stop_token>
 
@@ -51,23 +50,21 @@ class SceneThumbnails : public QObject {
   void requestAll();
 
   /// Returns whether pictures are still to come.
-  bool isWorking() const { return isDrawing_; }
+  bool isWorking() const { return work_.isBusy(); }
 
  signals:
   void changed(const QString& scene);
 
  private:
   void request(const QString& scene);
-  void drawNext();
 
   const Drawing draw_;
   const QString folder_;
   Theme theme_ = lightTheme();
   QHash<QString, QPixmap> pictures_;
-  QSet<QString> requested_;      // in this theme
-  std::deque<QString> waiting_;  // in the order of the requests
-  bool isDrawing_ = false;
-  BackgroundWork work_;  // last: its thread ends before other members are destroyed
+  QSet<QString> requested_;  // in this theme
+  // Last: its thread ends before other members are destroyed.
+  BackgroundWork work_{RequestPolicy::RunUntilEnd};
 };
 
 /// Returns the name of a picture's file in the cache: a digest of all that shapes it.

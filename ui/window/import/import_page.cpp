@@ -54,7 +54,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       progress_(thinProgress("importProgress")),
       stop_(named<QToolButton>("importStop")),
       accept_(named<QPushButton>("importAccept", accept)),
-      cancel_(named<QPushButton>("importCancel", tr("&Cancel"))) {
+      cancel_(pageButton("importCancel", tr("&Cancel"), this, &QDialog::reject)) {
   auto* name = named<QLabel>("importFile", QFileInfo(file).fileName());
   name->setToolTip(QDir::toNativeSeparators(file));
   name->setTextFormat(Qt::PlainText);
@@ -89,9 +89,7 @@ void ImportPage::addFoot(QVBoxLayout& page) {
   stop_->setAutoRaise(true);
   connect(stop_, &QToolButton::clicked, this, &ImportPage::pressStop);
   accept_->setDefault(true);
-  cancel_->setAutoDefault(false);
   connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
-  connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
   foot->addWidget(message_, 1);
   foot->addWidget(progressText_);

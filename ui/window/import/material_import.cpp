@@ -15,7 +15,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <tuple>
 
@@ -23,6 +22,7 @@
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
+#include "core/material/material_options.h"
 #include "core/material/material_summary.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -47,33 +47,20 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measurements
 
-/// An option of `asperity material` and its value, as the origin of the material keeps it.
-using Written = std::vector<std::pair<std::string, std::string>>;
+/// Returns a number that may have a unit, as the command reads it.
+QString asQuantity(const QString& text, const char*) {
+  return withoutGroups(text);
+}
 
-double kelvins(const QString& text, const char* option) {
+/// The page shows degrees Celsius, and the command takes a number alone in kelvins.
+QString asTemperature(const QString& text, const char* option) {
   bool hasNoUnit = false;
-  (void)withoutGroups(text.trimmed()).toDouble(&hasNoUnit);
-  if (hasNoUnit)  // the page shows degrees Celsius, the command takes kelvins
+  (void)withoutGroups(text).toDouble(&hasNoUnit);
+  if (hasNoUnit)
     throw InputError(
         "", option,
         message("'{}' has no unit; write \u00B0C, K or \u00B0F after it", text.toStdString()));
-  const auto temperature = parseTemperature(withoutGroups(text.trimmed()).toStdString());
-  if (!temperature || !(*temperature > 0 && *temperature <= 2000))
-    throw InputError("", option,
-                     message("'{}' is not a temperature such as 20 \u00B0C, 293.15 K or 68 \u00B0F",
-                             text.toStdString()));
-  return *temperature;
-}
-
-/// A modulus in Pa, or with a unit.
-double pascals(const QString& text, const char* option) {
-  bool isNumber = false;
-  const double value =
-      toPlainNumber(withoutGroups(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
-  if (!isNumber || !(value > 0) || !std::isfinite(value))
-    throw InputError("", option,
-                     message("'{}' is not a modulus such as 2.3MPa", text.toStdString()));
-  return value;
+  return withoutGroups(text);
 }
 
 QString askForMaterial(QWidget* parent, const QString& proposed) {
@@ -118,42 +105,38 @@ void MaterialImport::buildViews(const Theme& theme) {
 }
 
 QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* option, const char* name,
-                                    const QString& label, const QString& tip) {
-  auto* entry = named<QLineEdit>(name);
-  entry->setToolTip(tip);
-  entry->setAccessibleName(label);
+                                    const QString& label, const QString& tip, Reader read) {
+  auto* entry = addField<QLineEdit>(form, name, label, tip);
   connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
     if (!entry->isModified()) return;
     entry->setModified(false);
     restart();
   });
-  form.addRow(label, entry);
-  if (option) controls_.emplace_back(option, entry);
+  controls_.push_back({option, label, [entry, option, read] {
+                         const QString text = entry->text().trimmed();
+                         return read && !text.isEmpty() ? read(text, option) : text;
+                       }});
   return entry;
 }
 
-QComboBox* MaterialImport::addChoice(QFormLayout& form, const char* option, const char* name,
-                                     const QString& label, const QString& tip,
-                                     const QString& automatic, const QStringList& words) {
-  auto* box = named<ChoiceBox>(name);
-  box->setToolTip(tip);
-  box->setAccessibleName(label);
+void MaterialImport::addChoice(QFormLayout& form, const char* option, const char* name,
+                               const QString& label, const QString& tip, const QString& automatic,
+                               const QStringList& words) {
+  auto* box = addField<ChoiceBox>(form, name, label, tip);
   box->addItem(automatic, QString());
   for (const QString& word : words) box->addItem(wordText(word.toStdString()), word);
   connect(box, &QComboBox::activated, this, [this] { restart(); });
-  form.addRow(label, box);
-  controls_.emplace_back(option, box);
-  return box;
+  controls_.push_back({option, label, [box] { return box->currentData().toString(); }});
 }
 
-QCheckBox* MaterialImport::addCheck(QFormLayout& form, const char* option, const char* name,
-                                    const QString& label) {
+void MaterialImport::addCheck(QFormLayout& form, const char* option, const char* name,
+                              const QString& label, const QString& tip) {
   auto* box = named<QCheckBox>(name, label);
   box->setAccessibleName(label);
+  box->setToolTip(tip);
   connect(box, &QCheckBox::toggled, this, [this] { restart(); });
   form.addRow(QString(), box);
-  controls_.emplace_back(option, box);
-  return box;
+  controls_.push_back({option, label, [box] { return QString(box->isChecked() ? "true" : ""); }});
 }
 
 namespace {
@@ -174,10 +157,10 @@ void MaterialImport::buildChoices() {
   addMasterCurve(*form);
   addSeries(*form);
   addHeading(*form, tr("The material file"));
-  name_ = addEntry(*form, nullptr, "dmaName", tr("name"), tr("Name of the material"));
-  name_->setPlaceholderText(QFileInfo(file()).completeBaseName());
-  source_ = addEntry(*form, nullptr, "dmaSource", tr("source"),
-                     tr("Where the measurements come from, so that a reader can look it up"));
+  addEntry(*form, "--name", "dmaName", tr("name"), tr("Name of the material"))
+      ->setPlaceholderText(QFileInfo(file()).completeBaseName());
+  addEntry(*form, "--source", "dmaSource", tr("source"),
+           tr("Where the measurements come from, so that a reader can look it up"));
   auto* scroll = scrolled(content, Qt::ScrollBarAlwaysOff);
   scroll->setObjectName("dmaChoices");
   scroll->setFocusPolicy(Qt::NoFocus);  // its controls take the focus
@@ -192,141 +175,87 @@ void MaterialImport::buildChoices() {
 void MaterialImport::addMeasurement(QFormLayout& form) {
   const QString fromFile = tr("from the file");
   addHeading(form, tr("The measurement"));
-  frequencyUnit_ = addChoice(form, "--frequency-unit", "dmaFrequencyUnit", tr("unit of frequency"),
-                             tr("Unit of the frequencies"), fromFile, {"Hz", "rad/s"});
-  temperatureUnit_ =
-      addChoice(form, "--temperature-unit", "dmaTemperatureUnit", tr("unit of temperature"),
-                tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
-  modulusUnit_ = addChoice(form, "--modulus-unit", "dmaModulusUnit", tr("unit of modulus"),
-                           tr("Unit of the moduli"), fromFile, {"Pa", "kPa", "MPa", "GPa"});
-  modulus_ = addChoice(form, "--modulus", "dmaModulus", tr("kind of modulus"),
-                       tr("Whether the moduli are of shear (G) or of tension (E)"), fromFile,
-                       {"shear", "tension"});
-  poisson_ = addEntry(form, "--poisson-ratio", "dmaPoisson", tr("Poisson's ratio"),
-                      tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"));
-  poisson_->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
-  temperature_ = addEntry(form, "--temperature", "dmaTemperature", tr("test temperature"),
-                          tr("Temperature of a file that does not state one, such as 20 °C"));
-  temperature_->setPlaceholderText(fromFile);
-  instantaneous_ =
-      addEntry(form, "--instantaneous-modulus", "dmaInstantaneous", tr("instantaneous modulus G₀"),
-               tr("Shear modulus in Pa or MPa of a series that gives parts of it"));
-  instantaneous_->setPlaceholderText(fromFile);
+  addChoice(form, "--frequency-unit", "dmaFrequencyUnit", tr("unit of frequency"),
+            tr("Unit of the frequencies"), fromFile, {"Hz", "rad/s"});
+  addChoice(form, "--temperature-unit", "dmaTemperatureUnit", tr("unit of temperature"),
+            tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
+  addChoice(form, "--modulus-unit", "dmaModulusUnit", tr("unit of modulus"),
+            tr("Unit of the moduli"), fromFile, {"Pa", "kPa", "MPa", "GPa"});
+  addChoice(form, "--modulus", "dmaModulus", tr("kind of modulus"),
+            tr("Whether the moduli are of shear (G) or of tension (E)"), fromFile,
+            {"shear", "tension"});
+  addEntry(form, "--poisson-ratio", "dmaPoisson", tr("Poisson's ratio"),
+           tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"), asQuantity)
+      ->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
+  addEntry(form, "--temperature", "dmaTemperature", tr("test temperature"),
+           tr("Temperature of a file that does not state one, such as 20 °C"), asTemperature)
+      ->setPlaceholderText(fromFile);
+  addEntry(form, "--instantaneous-modulus", "dmaInstantaneous", tr("instantaneous modulus G₀"),
+           tr("Shear modulus in Pa or MPa of a series that gives parts of it"), asQuantity)
+      ->setPlaceholderText(fromFile);
 }
 
 void MaterialImport::addColumns(QFormLayout& form) {
   addHeading(form, tr("Columns of the table"));
-  const QString column = tr("Name of the column, or its number from 1 on");
-  for (const auto& [entry, option, name, label] :
-       std::initializer_list<std::tuple<QLineEdit**, const char*, const char*, QString>>{
-           {&frequencyColumn_, "--frequency-column", "dmaFrequencyColumn", tr("frequency column")},
-           {&temperatureColumn_, "--temperature-column", "dmaTemperatureColumn",
-            tr("temperature column")},
-           {&storageColumn_, "--storage-column", "dmaStorageColumn", tr("storage modulus column")},
-           {&lossColumn_, "--loss-column", "dmaLossColumn", tr("loss modulus column")},
-           {&lossTangentColumn_, "--tan-delta-column", "dmaLossTangentColumn",
-            tr("loss tangent column")}}) {
-    *entry = addEntry(form, option, name, label, column);
-    (*entry)->setPlaceholderText(tr("found by its name"));
-  }
+  const QString tip = tr("Name of the column, or its number from 1 on");
+  for (const auto& [option, name, label] :
+       std::initializer_list<std::tuple<const char*, const char*, QString>>{
+           {"--frequency-column", "dmaFrequencyColumn", tr("frequency column")},
+           {"--temperature-column", "dmaTemperatureColumn", tr("temperature column")},
+           {"--storage-column", "dmaStorageColumn", tr("storage modulus column")},
+           {"--loss-column", "dmaLossColumn", tr("loss modulus column")},
+           {"--tan-delta-column", "dmaLossTangentColumn", tr("loss tangent column")}})
+    addEntry(form, option, name, label, tip)->setPlaceholderText(tr("found by its name"));
 }
 
 void MaterialImport::addMasterCurve(QFormLayout& form) {
   addHeading(form, tr("Master curve"));
   reference_ =
       addEntry(form, "--reference-temperature", "dmaReference", tr("reference temperature"),
-               tr("Temperature to which all isotherms are shifted, such as 20 °C"));
+               tr("Temperature to which all isotherms are shifted, such as 20 °C"), asTemperature);
   reference_->setPlaceholderText(tr("near 25 °C"));
-  vertical_ = addCheck(form, "--vertical-shifts", "dmaVertical", tr("vertical shifts, too"));
-  shift_ = addChoice(form, "--shift", "dmaShift", tr("temperature shift"),
-                     tr("How the material keeps the shifts with temperature: by the formula of "
-                        "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
-                     tr("automatic"), {"wlf", "arrhenius", "table"});
+  addCheck(form, "--vertical-shifts", "dmaVertical", tr("vertical shifts, too"));
+  addChoice(form, "--shift", "dmaShift", tr("temperature shift"),
+            tr("How the material keeps the shifts with temperature: by the formula of "
+               "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
+            tr("automatic"), {"wlf", "arrhenius", "table"});
 }
 
 void MaterialImport::addSeries(QFormLayout& form) {
   addHeading(form, tr("Prony series"));
-  terms_ = named<SpinBox>("dmaTerms");
-  terms_->setRange(0, kMaxTerms);
-  terms_->setSpecialValueText(tr("as few as needed"));
-  terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
-  terms_->setAccessibleName(tr("number of terms"));
-  connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
-  form.addRow(tr("number of terms"), terms_);
-  controls_.emplace_back("--terms", terms_);
-  equilibrium_ =
-      addEntry(form, "--equilibrium-modulus", "dmaEquilibrium", tr("equilibrium modulus G∞"),
-               tr("Shear modulus in Pa or MPa where it is known from elsewhere"));
-  equilibrium_->setPlaceholderText(tr("from the fit"));
-  liquid_ = addCheck(form, "--liquid", "dmaLiquid", tr("allow G∞ = 0 (a liquid)"));
-  liquid_->setToolTip(tr("Whether the material may flow, without an equilibrium modulus"));
+  const QString label = tr("number of terms");
+  auto* terms = addField<SpinBox>(form, "dmaTerms", label,
+                                  tr("Relaxation times, evenly spaced in their logarithm"));
+  terms->setRange(0, kMaxTerms);
+  terms->setSpecialValueText(tr("as few as needed"));
+  connect(terms, &QSpinBox::valueChanged, this, [this] { restart(); });
+  controls_.push_back({"--terms", label, [terms] {
+                         return terms->value() > 0 ? QString::number(terms->value()) : QString();
+                       }});
+  addEntry(form, "--equilibrium-modulus", "dmaEquilibrium", tr("equilibrium modulus G∞"),
+           tr("Shear modulus in Pa or MPa where it is known from elsewhere"), asQuantity)
+      ->setPlaceholderText(tr("from the fit"));
+  addCheck(form, "--liquid", "dmaLiquid", tr("allow G∞ = 0 (a liquid)"),
+           tr("Whether the material may flow, without an equilibrium modulus"));
 }
 
 /// Returns the present choices. Throws InputError (option) where an entry is invalid.
 MaterialChoices MaterialImport::choices() const {
-  MaterialChoices made;
-  Written& written = made.options;
-  const auto word = [&](const QComboBox& box, const char* option) {
-    const std::string chosen = box.currentData().toString().toStdString();
-    if (!chosen.empty()) written.emplace_back(option, chosen);
-    return chosen;
-  };
-  const auto text = [&](const QLineEdit& entry, const char* option) {
-    const QString typed = entry.text().trimmed();
-    if (!typed.isEmpty()) written.emplace_back(option, typed.toStdString());
-    return typed;
-  };
-  made.columns.frequencyUnit = word(*frequencyUnit_, "--frequency-unit");
-  made.columns.temperatureUnit = word(*temperatureUnit_, "--temperature-unit");
-  made.columns.modulusUnit = word(*modulusUnit_, "--modulus-unit");
-  const std::string modulus = word(*modulus_, "--modulus");
-  if (!modulus.empty())
-    made.columns.modulus = modulus == "shear" ? ModulusKind::Shear : ModulusKind::Tension;
-  made.columns.frequencyColumn = text(*frequencyColumn_, "--frequency-column").toStdString();
-  made.columns.temperatureColumn = text(*temperatureColumn_, "--temperature-column").toStdString();
-  made.columns.storageColumn = text(*storageColumn_, "--storage-column").toStdString();
-  made.columns.lossColumn = text(*lossColumn_, "--loss-column").toStdString();
-  made.columns.lossTangentColumn = text(*lossTangentColumn_, "--tan-delta-column").toStdString();
-  if (const QString typed = text(*poisson_, "--poisson-ratio"); !typed.isEmpty()) {
-    bool isNumber = false;
-    made.columns.poissonRatio = withoutGroups(typed).toDouble(&isNumber);
-    if (!isNumber || !(made.columns.poissonRatio >= 0 && made.columns.poissonRatio <= 0.5))
-      throw InputError("", "--poisson-ratio",
-                       message("'{}' is not a number from 0 to 0.5", typed.toStdString()));
-  }
-  if (const QString typed = text(*temperature_, "--temperature"); !typed.isEmpty())
-    made.columns.temperature = kelvins(typed, "--temperature");
-  if (const QString typed = text(*instantaneous_, "--instantaneous-modulus"); !typed.isEmpty())
-    made.instantaneousModulus = pascals(typed, "--instantaneous-modulus");
-  if (const QString typed = text(*equilibrium_, "--equilibrium-modulus"); !typed.isEmpty())
-    made.series.equilibriumModulus = pascals(typed, "--equilibrium-modulus");
-  made.series.isLiquid = liquid_->isChecked();
-  if (made.series.isLiquid) written.emplace_back("--liquid", "true");
-  if (const QString typed = text(*reference_, "--reference-temperature"); !typed.isEmpty())
-    made.referenceTemperature = kelvins(typed, "--reference-temperature");
-  made.isVertical = vertical_->isChecked();
-  if (made.isVertical) written.emplace_back("--vertical-shifts", "true");
-  const std::string shift = word(*shift_, "--shift");
-  if (!shift.empty())
-    made.shift = shift == "wlf"         ? ShiftKind::Wlf
-                 : shift == "arrhenius" ? ShiftKind::Arrhenius
-                                        : ShiftKind::Table;
-  made.series.terms = terms_->value();
-  if (terms_->value() > 0) written.emplace_back("--terms", std::to_string(terms_->value()));
-  made.name = text(*name_, "--name").toStdString();
-  made.source = text(*source_, "--source").toStdString();
-  return made;
+  WrittenOptions written;
+  for (const Control& control : controls_)
+    if (const QString value = control.value(); !value.isEmpty())
+      written.emplace_back(control.option, value.toStdString());
+  return materialChoices(written);
 }
 
 /// Returns an error message of core with the names of the page's controls instead of options.
 QString MaterialImport::withControlNames(const std::string& option, QString text) const {
   QString subject = option.empty() ? QString() : translatedText(option);
-  for (const auto& [name, control] : controls_) {
-    const QString label = control->accessibleName();
-    if (option == name) subject = label;
+  for (const Control& control : controls_) {
+    if (option == control.option) subject = control.label;
     // Not the beginning of a longer option.
-    text.replace(QRegularExpression(QLatin1String(name) + QStringLiteral("(?![a-z-])")),
-                 inQuotes(label));
+    text.replace(QRegularExpression(QLatin1String(control.option) + QStringLiteral("(?![a-z-])")),
+                 inQuotes(control.label));
   }
   return (subject.isEmpty() ? QFileInfo(file()).fileName() : subject) + ": " + text;
 }

@@ -8,19 +8,18 @@
 // Failure: one line on the page.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/material/material_model.h"
 #include "ui/panels/controls.h"
 #include "ui/window/import/import_page.h"
 
-class QCheckBox;
-class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QSpinBox;
 class QTabBar;
 
 namespace asperity {
@@ -57,14 +56,20 @@ class MaterialImport : public ImportPage {
   void addColumns(QFormLayout& form);
   void addMasterCurve(QFormLayout& form);
   void addSeries(QFormLayout& form);
-  /// Adds controls with the option of the command that each stands for; null: none.
+  /// A control of an option of `asperity material`.
+  struct Control {
+    const char* option;
+    QString label;
+    std::function<QString()> value;  // as the command takes it; empty: the option is not given
+  };
+  /// Returns a text that was typed, which is not empty, as the command takes it. Throws InputError.
+  using Reader = QString (*)(const QString& text, const char* option);
   QLineEdit* addEntry(QFormLayout& form, const char* option, const char* name, const QString& label,
-                      const QString& tip);
-  QComboBox* addChoice(QFormLayout& form, const char* option, const char* name,
-                       const QString& label, const QString& tip, const QString& automatic,
-                       const QStringList& words);
-  QCheckBox* addCheck(QFormLayout& form, const char* option, const char* name,
-                      const QString& label);
+                      const QString& tip, Reader read = nullptr);
+  void addChoice(QFormLayout& form, const char* option, const char* name, const QString& label,
+                 const QString& tip, const QString& automatic, const QStringList& words);
+  void addCheck(QFormLayout& form, const char* option, const char* name, const QString& label,
+                const QString& tip = {});
   MaterialChoices choices() const;
   QString withControlNames(const std::string& option, QString text) const;
   void take(const Preview& preview);
@@ -77,15 +82,8 @@ class MaterialImport : public ImportPage {
   DiagramView* sheet_;
   QTabBar* sheets_;
   QLabel *warnings_, *summary_;
-  QLineEdit *reference_ = nullptr, *temperature_ = nullptr, *poisson_ = nullptr,
-            *instantaneous_ = nullptr, *equilibrium_ = nullptr, *name_ = nullptr,
-            *source_ = nullptr, *frequencyColumn_ = nullptr, *temperatureColumn_ = nullptr,
-            *storageColumn_ = nullptr, *lossColumn_ = nullptr, *lossTangentColumn_ = nullptr;
-  QComboBox *shift_ = nullptr, *modulus_ = nullptr, *frequencyUnit_ = nullptr,
-            *temperatureUnit_ = nullptr, *modulusUnit_ = nullptr;
-  QSpinBox* terms_ = nullptr;
-  QCheckBox *vertical_ = nullptr, *liquid_ = nullptr;
-  std::vector<std::pair<const char*, const QWidget*>> controls_;  // by the option of the command
+  QLineEdit* reference_ = nullptr;
+  std::vector<Control> controls_;
   // Last: its thread ends before other members are destroyed.
   BackgroundWork work_{RequestPolicy::CancelRunning};
 };

@@ -14,6 +14,7 @@
 #include "core/base/input_error.h"
 #include "core/run/measured_sheet.h"
 #include "core/scene/parameters.h"
+#include "core/scene/scene_files.h"
 #include "core/surface/line_source.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
@@ -22,7 +23,6 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/parameter_text.h"
-#include "core/scene/scene_files.h"
 #include "ui/window/figures/diagram_view.h"
 
 namespace asperity {

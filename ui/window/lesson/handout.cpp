@@ -275,7 +275,7 @@ void writeHandout(const std::filesystem::path& file, const Lesson& lesson,
 HandoutSaver::HandoutSaver(QWidget* page)
     : QObject(page->parentWidget() ? page->parentWidget() : page), page_(page) {
   connect(page, &QObject::destroyed, this, [this] {
-    if (!isSaving_) deleteLater();
+    if (!isSaving()) deleteLater();
   });
 }
 
@@ -299,8 +299,7 @@ void HandoutSaver::ask(const Lesson& lesson, const QString& name) {
 }
 
 void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeacher) {
-  if (isSaving_) return;
-  setSaving(true, [] { return tr("The program draws the pictures and computes the answers…"); });
+  if (isSaving()) return;
   work_.request(
       [lesson, file, forTeacher](const BackgroundWork::Run& run) {
         HandoutOptions options;
@@ -309,15 +308,15 @@ void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeach
         writeHandout(file.toStdString(), lesson, options);
       },
       [this, file] {
-        setSaving(false, [file] { return tr("Saved %1").arg(QFileInfo(file).fileName()); });
+        showStatus([file] { return tr("Saved %1").arg(QFileInfo(file).fileName()); });
       },
-      [this](const LiveText& reason) { setSaving(false, reason); });
+      [this](const LiveText& reason) { showStatus(reason); });
+  showStatus([] { return tr("The program draws the pictures and computes the answers…"); });
 }
 
-void HandoutSaver::setSaving(bool isSaving, const LiveText& status) {
-  isSaving_ = isSaving;
+void HandoutSaver::showStatus(const LiveText& status) {
   emit statusChanged(status);
-  if (page_) return;
+  if (page_ || isSaving()) return;
   emit endedWithoutPage(status);
   deleteLater();
 }

@@ -43,7 +43,7 @@ class HandoutSaver : public QObject {
   void ask(const Lesson& lesson, const QString& name);
   /// Saves without a question; nothing happens while another handout is being saved.
   void save(const Lesson& lesson, const QString& file, bool forTeacher);
-  bool isSaving() const { return isSaving_; }
+  bool isSaving() const { return work_.isBusy(); }
 
  signals:
   /// Emitted when saving begins and ends: the handout is being made, is saved, or cannot be saved.
@@ -52,10 +52,9 @@ class HandoutSaver : public QObject {
   void endedWithoutPage(const asperity::LiveText& text);
 
  private:
-  void setSaving(bool isSaving, const LiveText& status);
+  void showStatus(const LiveText& status);
 
   QPointer<QWidget> page_;
-  bool isSaving_ = false;
   BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 

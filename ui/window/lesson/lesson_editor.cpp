@@ -10,7 +10,6 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcut>
@@ -34,6 +33,7 @@
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/last_session.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
@@ -41,7 +41,6 @@ namespace {
 
 constexpr QSize kDefault(960, 660);  // pixels
 constexpr int kListWidth = 250;      // pixels, at least
-constexpr int kScreenMargin = 60;    // pixels of the screen that stay free
 
 }  // namespace
 
@@ -53,17 +52,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
       keeping_(new QTimer(this)) {
   setObjectName("lessonEditor");
   setWindowTitle(tr("Lesson editor"));
-  language_ = named<QTabBar>("editorLanguage");
-  language_->addTab(QStringLiteral("English"));
-  language_->addTab(QStringLiteral("Deutsch"));
-  language_->setCurrentIndex(presentLanguage() == "de" ? 1 : 0);
-  language_->setDrawBase(false);
-  language_->setExpanding(false);
-  // The chosen tab differs from the other one in a dark window, too.
-  language_->setStyleSheet(QStringLiteral(
-      "QTabBar::tab { padding: 4px 14px; border: none; border-bottom: 2px solid transparent; }"
-      "QTabBar::tab:selected { border-bottom: 2px solid palette(highlight); font-weight: bold; }"));
-  language_->setAccessibleName(tr("language of the texts"));
+  buildLanguages();
   head_ = new LessonHeadPage;
   step_ = new LessonStepPage;
   pages_ = new QStackedWidget;
@@ -87,8 +76,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   all->addLayout(halves, 1);
   all->addWidget(messageLabel_);
   all->addLayout(buildFoot());
-  const QSize available = (parent ? parent->screen() : screen())->availableSize();
-  resize(kDefault.boundedTo(available - QSize(kScreenMargin, kScreenMargin)));
+  resizeDialog(*this, kDefault);
   connect(language_, &QTabBar::currentChanged, this, &LessonEditor::showStep);
   connect(steps_, &QListWidget::currentRowChanged, this, &LessonEditor::showStep);
   connect(step_, &LessonStepPage::shownSceneRequested, this, &LessonEditor::takeShownScene);
@@ -111,13 +99,18 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
 
 // ---- The parts of the page
 
-/// Makes a button that calls a function of the editor.
-template <class Slot>
-QPushButton* LessonEditor::makeButton(const char* name, const QString& text, Slot slot) {
-  auto* button = named<QPushButton>(name, text);
-  button->setAutoDefault(false);
-  connect(button, &QPushButton::clicked, this, slot);
-  return button;
+void LessonEditor::buildLanguages() {
+  language_ = named<QTabBar>("editorLanguage");
+  language_->addTab(QStringLiteral("English"));
+  language_->addTab(QStringLiteral("Deutsch"));
+  language_->setCurrentIndex(presentLanguage() == "de" ? 1 : 0);
+  language_->setDrawBase(false);
+  language_->setExpanding(false);
+  // The chosen tab differs from the other one in a dark window, too.
+  language_->setStyleSheet(QStringLiteral(
+      "QTabBar::tab { padding: 4px 14px; border: none; border-bottom: 2px solid transparent; }"
+      "QTabBar::tab:selected { border-bottom: 2px solid palette(highlight); font-weight: bold; }"));
+  language_->setAccessibleName(tr("language of the texts"));
 }
 
 QWidget* LessonEditor::buildSteps() {
@@ -128,13 +121,13 @@ QWidget* LessonEditor::buildSteps() {
   steps_->setWordWrap(true);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(steps_, 1);
-  auto* add =
-      makeButton("editorAdd", tr("&Add step from what is shown"), &LessonEditor::addShownStep);
+  auto* add = pageButton("editorAdd", tr("&Add step from what is shown"), this,
+                         &LessonEditor::addShownStep);
   add->setToolTip(tr("The scene, the tab and the quantity of the chart, as they are now"));
   column->addWidget(add);
-  up_ = makeButton("editorUp", tr("&Up"), [this] { moveStep(-1); });
-  down_ = makeButton("editorDown", tr("&Down"), [this] { moveStep(1); });
-  remove_ = makeButton("editorRemove", tr("&Remove"), &LessonEditor::removeStep);
+  up_ = pageButton("editorUp", tr("&Up"), this, [this] { moveStep(-1); });
+  down_ = pageButton("editorDown", tr("&Down"), this, [this] { moveStep(1); });
+  remove_ = pageButton("editorRemove", tr("&Remove"), this, &LessonEditor::removeStep);
   auto* line = new QHBoxLayout;
   for (QPushButton* one : {up_, down_, remove_}) line->addWidget(one);
   column->addLayout(line);
@@ -150,20 +143,20 @@ QLayout* LessonEditor::buildFoot() {
     messageLabel_->setText(text);
     showButtons();
   });
-  auto* open = makeButton("editorOpen", tr("&Open…"), &LessonEditor::openOther);
-  handout_ = makeButton("editorHandout", tr("&Handout…"), [this] {
+  auto* open = pageButton("editorOpen", tr("&Open…"), this, &LessonEditor::openOther);
+  handout_ = pageButton("editorHandout", tr("&Handout…"), this, [this] {
     const QString name = QFileInfo(proposedFile()).completeBaseName();
     useRead([&](const Lesson& read) { saver_->ask(read, name); });
   });
   handout_->setToolTip(tr("Pages to print, as PDF or as a web page"));
-  undo_ = makeButton("editorUndo", tr("U&ndo"), &LessonEditor::undo);
-  redo_ = makeButton("editorRedo", tr("R&edo"), &LessonEditor::redo);
-  auto* close = makeButton("editorClose", tr("&Close"), &LessonEditor::reject);
-  try_ = makeButton("editorTry", tr("&Try this step"), [this] {
+  undo_ = pageButton("editorUndo", tr("U&ndo"), this, &LessonEditor::undo);
+  redo_ = pageButton("editorRedo", tr("R&edo"), this, &LessonEditor::redo);
+  auto* close = pageButton("editorClose", tr("&Close"), this, &LessonEditor::reject);
+  try_ = pageButton("editorTry", tr("&Try this step"), this, [this] {
     useRead([this](const Lesson& read) { emit trialRequested(read, std::max(0, presentStep())); });
   });
-  auto* saveAs = makeButton("editorSaveAs", tr("Sa&ve as…"), &LessonEditor::askAndSave);
-  auto* save = makeButton("editorSave", tr("&Save"), &LessonEditor::save);
+  auto* saveAs = pageButton("editorSaveAs", tr("Sa&ve as…"), this, &LessonEditor::askAndSave);
+  auto* save = pageButton("editorSave", tr("&Save"), this, &LessonEditor::save);
   save->setToolTip(tr("Also saves a lesson that is not complete yet (Ctrl+S)"));
   auto* foot = new QHBoxLayout;
   for (QPushButton* one : {open, handout_, undo_, redo_}) foot->addWidget(one);

@@ -80,10 +80,9 @@ class LessonEditor : public QDialog {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void buildLanguages();
   QWidget* buildSteps();
   QLayout* buildFoot();
-  template <class Slot>
-  QPushButton* makeButton(const char* name, const QString& text, Slot slot);
   void useRead(const std::function<void(const Lesson&)>& use);
   int presentStep() const;
   LessonStep* present();

@@ -51,9 +51,7 @@ QString plainValue(const ParameterValue& value) {
 /// Returns a number of an assignment in a readable unit; any other text has none.
 UnitText readable(const QString& text, const Parameter& row) {
   const std::optional<double> value = pointNumber(toPlainNumber(text, numberRule(row)));
-  if (!value) return {text, {}};
-  const UnitText shown = inReadableUnit(*value, fromUtf8(row.unit));
-  return {inLanguage(shown.number), shown.unit};
+  return value ? shownText(row, *value) : UnitText{text, {}};
 }
 
 }  // namespace
@@ -246,22 +244,14 @@ LessonForm::LessonForm(QWidget* parent) : QWidget(parent), rows_(new QFormLayout
   rows_->setHorizontalSpacing(12);  // a label is nearer to its own letters than to its field
 }
 
-void LessonForm::nameField(QWidget& field, const QString& label, const char* name) {
-  field.setObjectName(name);
-  field.setAccessibleName(label);
-  addRow(label, &field);
-}
-
 QLineEdit* LessonForm::addLine(const QString& label, const char* name) {
-  auto* line = new QLineEdit;
-  nameField(*line, label, name);
+  auto* line = addField<QLineEdit>(*rows_, name, label);
   connect(line, &QLineEdit::textEdited, this, &LessonForm::notifyEdited);
   return line;
 }
 
 QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int lines) {
-  auto* text = new QPlainTextEdit;
-  nameField(*text, label, name);
+  auto* text = addField<QPlainTextEdit>(*rows_, name, label);
   text->setTabChangesFocus(true);
   text->setFixedHeight(lines * fontMetrics().lineSpacing() + 16);
   // Otherwise the rows would share the space below them.
@@ -271,8 +261,7 @@ QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int 
 }
 
 QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
-  auto* box = new ChoiceBox;
-  nameField(*box, label, name);
+  auto* box = addField<ChoiceBox>(*rows_, name, label);
   connect(box, &QComboBox::activated, this, &LessonForm::notifyEdited);
   return box;
 }
@@ -367,9 +356,7 @@ double partIn(const QString& text, double before) {
 
 QString keyValueText(const std::string& key, double value) {
   const Parameter* row = findParameter(key);
-  if (!row) return shownNumber(value);
-  const UnitText text = inReadableUnit(value, fromUtf8(row->unit));
-  return (inLanguage(text.number) + ' ' + text.unit).trimmed();
+  return row ? textWithUnit(*row, value) : shownNumber(value);
 }
 
 std::optional<double> parseKeyValue(const std::string& key, const QString& text) {

@@ -104,8 +104,6 @@ class LessonForm : public QWidget {
   void edited();
 
  private:
-  void nameField(QWidget& field, const QString& label, const char* name);
-
   QFormLayout* rows_;
   bool isGerman_ = false, isFilling_ = false;
 };

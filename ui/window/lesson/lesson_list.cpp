@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
@@ -18,13 +17,13 @@
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/scene_library.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr QSize kDefaultSize(820, 460);  // pixels
-constexpr int kFreeAround = 60;          // pixels of the screen that stay free
 
 /// Returns the shipped lessons, which are read once.
 const std::vector<Lesson>& readShippedLessons() {
@@ -54,69 +53,65 @@ LessonList::LessonList(QWidget* parent, AnswerFunction answer)
     item->setData(Qt::UserRole, QString::fromStdString(lesson.name));
     list_->addItem(item);
   }
+  status_->setWordWrap(true);
+  status_->setMinimumHeight(fontMetrics().lineSpacing());
+  auto* halves = new QHBoxLayout;
+  halves->setSpacing(16);
+  halves->addWidget(list_, 4);
+  halves->addLayout(buildAbout(), 6);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(14, 12, 14, 12);
+  all->addLayout(halves, 1);
+  all->addWidget(status_);
+  all->addLayout(buildFoot());
+  resizeDialog(*this, kDefaultSize);
+  connect(list_, &QListWidget::currentRowChanged, this, &LessonList::showChosen);
+  connect(list_, &QListWidget::itemActivated, this, &LessonList::begin);
+  connect(saver_, &HandoutSaver::statusChanged, this, [this](const QString& text) {
+    showChosen();
+    status_->setText(text);
+  });
+  list_->setCurrentRow(0);
+  keepTranslated(*this, [this] { showTexts(); });
+  list_->setFocus();
+}
+
+/// Makes the half that tells about the chosen lesson.
+QLayout* LessonList::buildAbout() {
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::RichText);
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* scroll = scrolled(about_);
   keepTranslated(*scroll, [scroll] { scroll->setAccessibleName(tr("about the lesson")); });
-  auto* halves = new QHBoxLayout;
-  halves->setSpacing(16);
-  auto* right = new QVBoxLayout;
-  right->addWidget(scroll, 1);
-  right->addWidget(notes_);  // they contain answers, which students should not read by chance
-  halves->addWidget(list_, 4);
-  halves->addLayout(right, 6);
-  status_->setWordWrap(true);
-  status_->setMinimumHeight(fontMetrics().lineSpacing());
-  const auto button = [](const char* name) {
-    auto* made = named<QPushButton>(name);
-    made->setAutoDefault(false);
-    return made;
-  };
-  start_ = button("lessonStart");
-  open_ = button("lessonOpen");
-  handout_ = button("lessonHandout");
-  edit_ = button("lessonEdit");
-  close_ = button("lessonClose");
+  connect(list_, &QListWidget::currentRowChanged, scroll,
+          [scroll] { scroll->verticalScrollBar()->setValue(0); });
+  connect(notes_, &QCheckBox::toggled, this, &LessonList::showChosen);
+  auto* column = new QVBoxLayout;
+  column->addWidget(scroll, 1);
+  column->addWidget(notes_);  // they contain answers, which students should not read by chance
+  return column;
+}
+
+QLayout* LessonList::buildFoot() {
+  start_ = pageButton("lessonStart", {}, this, &LessonList::begin);
   start_->setDefault(true);
+  open_ = pageButton("lessonOpen", {}, this, &LessonList::askFile);
+  handout_ = pageButton("lessonHandout", {}, this, [this] {
+    if (list_->currentRow() < 0) return;
+    saver_->ask(readShippedLessons()[static_cast<std::size_t>(list_->currentRow())], chosen());
+  });
+  edit_ = pageButton("lessonEdit", {}, this, [this] {
+    emit editorRequested(chosen());
+    accept();
+  });
+  close_ = pageButton("lessonClose", {}, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
   for (QPushButton* one : {open_, edit_, handout_}) foot->addWidget(one);
   foot->addStretch(1);
   foot->addWidget(close_);
   foot->addWidget(start_);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(14, 12, 14, 12);
-  all->addLayout(halves, 1);
-  all->addWidget(status_);
-  all->addLayout(foot);
-  const QSize available = (parent ? parent->screen() : screen())->availableSize();
-  resize(kDefaultSize.boundedTo(available - QSize(kFreeAround, kFreeAround)));
-
-  connect(list_, &QListWidget::currentRowChanged, this, [this, scroll] {
-    showChosen();
-    scroll->verticalScrollBar()->setValue(0);
-  });
-  connect(notes_, &QCheckBox::toggled, this, &LessonList::showChosen);
-  connect(list_, &QListWidget::itemActivated, this, &LessonList::begin);
-  connect(start_, &QPushButton::clicked, this, &LessonList::begin);
-  connect(open_, &QPushButton::clicked, this, &LessonList::askFile);
-  connect(handout_, &QPushButton::clicked, this, [this] {
-    if (list_->currentRow() < 0) return;
-    saver_->ask(readShippedLessons()[static_cast<std::size_t>(list_->currentRow())], chosen());
-  });
-  connect(saver_, &HandoutSaver::statusChanged, this, [this](const QString& text) {
-    showChosen();
-    status_->setText(text);
-  });
-  connect(edit_, &QPushButton::clicked, this, [this] {
-    emit editorRequested(chosen());
-    accept();
-  });
-  connect(close_, &QPushButton::clicked, this, &QDialog::reject);
-  list_->setCurrentRow(0);
-  keepTranslated(*this, [this] { showTexts(); });
-  list_->setFocus();
+  return foot;
 }
 
 void LessonList::showTexts() {

@@ -13,6 +13,7 @@
 
 class QCheckBox;
 class QLabel;
+class QLayout;
 class QListWidget;
 class QPushButton;
 
@@ -39,6 +40,8 @@ class LessonList : public QDialog {
   void editorRequested(const QString& nameOrFile);
 
  private:
+  QLayout* buildAbout();
+  QLayout* buildFoot();
   void showTexts();
   void showChosen();
   void showAbout();

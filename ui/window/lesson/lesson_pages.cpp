@@ -107,11 +107,9 @@ void LessonStepPage::addScene() {
   auto* line = marginless<QHBoxLayout>(row);
   sceneText_ = new WrappedLabel;
   sceneText_->setObjectName("editorScene");
-  auto* button = new QPushButton(tr("Take the scene that is shown"));
-  button->setObjectName("editorTakeScene");
-  button->setAutoDefault(false);
+  auto* button = pageButton("editorTakeScene", tr("Take the scene that is shown"), this,
+                            &LessonStepPage::shownSceneRequested);
   button->setToolTip(tr("The step begins with the scene of the main window, as it is now"));
-  connect(button, &QPushButton::clicked, this, &LessonStepPage::shownSceneRequested);
   line->addWidget(sceneText_, 1);
   line->addWidget(button);
   addRow(tr("Scene"), row);

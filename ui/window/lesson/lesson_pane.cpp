@@ -60,6 +60,27 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
 
   scroll_ = scrolled(content, Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);  // its texts take the focus
+  buildFoot();
+  auto* all = marginless<QVBoxLayout>(this, 0);
+  all->addWidget(scroll_, 1);
+  score_ = addText(*all, "lessonScore");  // in sight, however long the texts are
+  score_->setContentsMargins(14, 6, 14, 6);
+
+  // Texts get their heights one after the other, and others with the width of the window.
+  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
+    if (!isScrolledByHand_) scroll();
+  });
+  connect(scroll_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
+          [this] { isScrolledByHand_ = true; });
+  keepTranslated(*this, [this] {
+    back_->setText(tr("Back"));
+    show_->setText(tr("Show me"));
+    show_->setToolTip(tr("Shows the answer without a guess"));
+    showButtons();
+  });
+}
+
+void LessonPane::buildFoot() {
   progress_ = named<QLabel>("lessonProgress");
   back_ = named<FootButton>("lessonBack");
   show_ = named<FootButton>("lessonShow");
@@ -74,17 +95,6 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   QSizePolicy kept = show_->sizePolicy();
   kept.setRetainSizeWhenHidden(true);
   show_->setSizePolicy(kept);
-  auto* all = marginless<QVBoxLayout>(this, 0);
-  all->addWidget(scroll_, 1);
-  score_ = addText(*all, "lessonScore");  // in sight, however long the texts are
-  score_->setContentsMargins(14, 6, 14, 6);
-
-  // Texts get their heights one after the other, and others with the width of the window.
-  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
-    if (!isScrolledByHand_) scroll();
-  });
-  connect(scroll_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
-          [this] { isScrolledByHand_ = true; });
   connect(back_, &QPushButton::clicked, this, &LessonPane::backRequested);
   connect(show_, &QPushButton::clicked, this, &LessonPane::solutionRequested);
   connect(next_, &QPushButton::clicked, this, [this] {
@@ -92,12 +102,6 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
       check();
     else
       emit nextRequested();
-  });
-  keepTranslated(*this, [this] {
-    back_->setText(tr("Back"));
-    show_->setText(tr("Show me"));
-    show_->setToolTip(tr("Shows the answer without a guess"));
-    showButtons();
   });
 }
 

@@ -70,6 +70,7 @@ class LessonPane : public QWidget {
 
  private:
   QLabel* addText(QVBoxLayout& column, const char* name);
+  void buildFoot();
   void setInput(AnswerInput* input);
   void scroll();
   void scrollToStep();

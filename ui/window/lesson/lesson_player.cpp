@@ -305,8 +305,7 @@ void LessonPlayer::showPoint() {
 
 /// Computes the answer to the present step, unless that is being done already.
 void LessonPlayer::findAnswer() {
-  if (isFinding_) return;
-  isFinding_ = true;
+  if (finding_.isBusy()) return;
   finding_.request([step = present(), find = find_](
                        const BackgroundWork::Run& run) { return find(step, {.stop = run.stop()}); },
                    [this](const LessonAnswer& answer) { takeAnswer(answer); },
@@ -318,13 +317,11 @@ void LessonPlayer::findAnswer() {
 }
 
 void LessonPlayer::stopFinding() {
-  isFinding_ = false;
   waiting_.reset();
   finding_.cancel();
 }
 
 void LessonPlayer::takeAnswer(const LessonAnswer& answer) {
-  isFinding_ = false;
   answers_[step_] = answer;
   if (waiting_) return settle(*std::exchange(waiting_, std::nullopt));
   if (isRevealed()) showPage();  // the result is from a file, and its texts get their values now

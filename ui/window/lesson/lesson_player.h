@@ -114,7 +114,7 @@ class LessonPlayer : public QObject {
   Commands* commands_ = nullptr;
   std::unique_ptr<Lesson> lesson_;
   int step_ = 0;
-  bool isTrial_ = false, isFinding_ = false;
+  bool isTrial_ = false;
   AnswerFunction find_ = lessonAnswer;
   std::map<int, LessonAnswer> answers_;  // computed ones, by step
   std::optional<GivenAnswer> waiting_;   // given, while the right answer is computed

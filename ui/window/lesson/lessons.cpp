@@ -10,10 +10,10 @@
 
 #include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
+#include "core/scene/scene_files.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "core/scene/scene_files.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"

@@ -10,9 +10,9 @@
 
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/scene_files.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "core/scene/scene_files.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/scene_document.h"

@@ -191,31 +191,27 @@ void addToolBar(const MenuParts& parts, QMenu& scenesMenu) {
 
 void addMenus(const MenuParts& parts) {
   QMenuBar& bar = *parts.window.menuBar();
+  // An empty name is a separator.
   const auto add = [&parts](QMenu& menu, std::initializer_list<const char*> names) {
-    menu.addActions(parts.commands.get(names));
+    for (const char* name : names)
+      if (*name)
+        menu.addAction(parts.commands.get(name));
+      else
+        menu.addSeparator();
   };
   QMenu& file = addMenu(bar, [] { return MainMenus::tr("&File"); });
   file.setToolTipsVisible(true);
   add(file, {"gallery", "open"});
   parts.documents.addRecentMenu(file);
-  add(file, {"openSurface", "openMaterial"});
-  file.addSeparator();
-  add(file, {"save", "saveAs"});
-  file.addSeparator();
-  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable", "exportFigure"});
-  file.addSeparator();
-  add(file, {"quit"});
+  add(file, {"openSurface", "openMaterial", "", "save", "saveAs", "", "savePicture",
+             "exportPicture", "exportFilm", "exportTable", "exportFigure", "", "quit"});
 
-  QMenu& edit = addMenu(bar, [] { return MainMenus::tr("&Edit"); });
-  add(edit, {"undo", "redo"});
-  edit.addSeparator();
-  add(edit, {"copyPicture", "copyCommand", "copyCurveCommand"});
-  edit.addSeparator();
-  add(edit, {"revert", "resetAll"});
+  add(addMenu(bar, [] { return MainMenus::tr("&Edit"); }),
+      {"undo", "redo", "", "copyPicture", "copyCommand", "copyCurveCommand", "", "revert",
+       "resetAll"});
 
   QMenu& scenes = addMenu(bar, [] { return MainMenus::tr("&Scenes"); });
-  add(scenes, {"gallery"});
-  scenes.addSeparator();
+  add(scenes, {"gallery", ""});
   fillScenes(scenes, parts.openScene);
 
   parts.pages.fillMenu(addMenu(bar, [] { return MainMenus::tr("Fi&gures"); }));
@@ -225,9 +221,7 @@ void addMenus(const MenuParts& parts) {
   QMenu& view = addMenu(bar, [] { return MainMenus::tr("&View"); });
   view.setToolTipsVisible(true);
   addContactViewActions(parts.canvas, view);
-  view.addSeparator();
-  add(view, {"describe"});
-  view.addSeparator();
+  add(view, {"", "describe", ""});
   parts.layout.fillMenu(view);
   view.addSeparator();
   fillLanguages(view, parts.useLanguage);
@@ -236,15 +230,9 @@ void addMenus(const MenuParts& parts) {
   parts.curve.fill(curve);
   parts.comparisons.fill(curve, parts.commands);
 
-  QMenu& help = addMenu(bar, [] { return MainMenus::tr("&Help"); });
-  add(help, {"tour", "tourStepBack", "tourStepNext"});
-  help.addSeparator();
-  add(help,
-      {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor", "classTable"});
-  help.addSeparator();
-  add(help, {"guide", "shortcuts"});
-  help.addSeparator();
-  add(help, {"about"});
+  add(addMenu(bar, [] { return MainMenus::tr("&Help"); }),
+      {"tour", "tourStepBack", "tourStepNext", "", "lessons", "lessonBackStep", "lessonNextStep",
+       "lessonEnd", "lessonEditor", "classTable", "", "guide", "shortcuts", "", "about"});
 
   for (const QAction* action : bar.actions()) adoptActions(parts.window, *action->menu());
   for (QMenu* menu : bar.findChildren<QMenu*>()) keepMnemonics(*menu);

@@ -192,8 +192,8 @@ void MainWindow::buildViews() {
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
 }
 
-void MainWindow::buildCommands() {
-  commands_ = new Commands(*this);
+/// Adds the commands of the running scene.
+void MainWindow::addRunCommands() {
   commands_->add({"play",
                   [this] { return session_->isPlaying() ? tr("Pause") : tr("Play"); },
                   [this] { session_->setPlaying(!session_->isPlaying()); },
@@ -218,6 +218,11 @@ void MainWindow::buildCommands() {
                   [] { return tr("Describe the contact in words"); },
                   [this] { ContactWords::showFor(*session_, *canvas_, *this); },
                   {Qt::CTRL | Qt::Key_D}});
+}
+
+void MainWindow::buildCommands() {
+  commands_ = new Commands(*this);
+  addRunCommands();
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
   pages_->addTo(*commands_);

@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildViews();
+  void addRunCommands();
   void buildCommands();
   void connectScene();
   void connectFrames();

@@ -368,11 +368,25 @@ void WindowLayout::fitToScreen() {
   window.setWindowState(state);
 }
 
+namespace {
+
+/// Returns the size of the screen on which a page over a window appears.
+QSize screenSize(const QWidget& page) {
+  const QWidget& window = page.parentWidget() ? *page.parentWidget() : page;
+  return window.screen()->availableSize();
+}
+
+}  // namespace
+
 void resizePage(QWidget& page, QSize usual) {
   constexpr double kScreenShare = 0.7;  // of a large screen
-  const QWidget& window = page.parentWidget() ? *page.parentWidget() : page;
-  const QSize available = window.screen()->availableSize();
+  const QSize available = screenSize(page);
   page.resize(usual.expandedTo(kScreenShare * available).boundedTo(available - kWindowFrame));
+}
+
+void resizeDialog(QWidget& dialog, QSize usual) {
+  constexpr int kFree = 60;  // pixels of the screen around it
+  dialog.resize(usual.boundedTo(screenSize(dialog) - QSize(kFree, kFree)));
 }
 
 }  // namespace asperity

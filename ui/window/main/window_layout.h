@@ -40,6 +40,9 @@ inline constexpr QSize kWindowFrame{40, 80};
 /// than a small one has.
 void resizePage(QWidget& page, QSize usual);
 
+/// Gives a dialog over the window its size, and never more than a small screen has.
+void resizeDialog(QWidget& dialog, QSize usual);
+
 struct LayoutParts {
   QMainWindow& window;
   QDockWidget& dock;  // of the parameters

@@ -216,7 +216,7 @@ void MapPanel::showEvent(QShowEvent* event) {
 /// A hidden map costs nothing.
 void MapPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  if (!isWaiting()) return;
+  if (!work_.isBusy()) return;
   work_.cancel();
   requested_.reset();
 }
@@ -228,11 +228,6 @@ bool MapPanel::isCoveredBy(const ParameterMap& map) const {
          y_->currentData().toString().toStdString() == y.key &&
          differOnlyIn(scene_, map.scene, x, y) && holds(map.x, parameterNumber(x, scene_)) &&
          holds(map.y, parameterNumber(y, scene_));
-}
-
-/// Returns whether the map of the present scene is still being computed.
-bool MapPanel::isWaiting() const {
-  return requested_ && !(map_ && map_->isFinal && isCoveredBy(*map_));
 }
 
 /// Shows the present map again where only its cross has moved, or requests another one.
@@ -275,7 +270,6 @@ void MapPanel::request(const MapAxis& x, const MapAxis& y) {
   percent_ = 0;
   requested_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
   showTarget();
-  showProgress();
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
         MapOptions options;
@@ -304,6 +298,7 @@ void MapPanel::request(const MapAxis& x, const MapAxis& y) {
         showProgress();
         showMessage(reason);
       });
+  showProgress();
 }
 
 /// Shows a stage; the cross may have moved since it was requested.
@@ -378,7 +373,7 @@ void MapPanel::updateMessage() {
 /// Shows of how many lines the values are the mean and how much of the map over all lines is
 /// computed, in the place of the button that saves the complete map.
 void MapPanel::showProgress() {
-  const bool waits = isWaiting();
+  const bool waits = work_.isBusy();
   view_->setPlaceholder(waits ? tr("The map is being computed…") : QString());
   end_->setCurrentWidget(waits ? static_cast<QWidget*>(progressLabel_) : save_);
   if (!waits)

@@ -51,7 +51,6 @@ class MapPanel : public QWidget {
   void showTexts();
   void fillChoosers();
   bool isCoveredBy(const ParameterMap& map) const;
-  bool isWaiting() const;
   void compute();
   void request(const MapAxis& x, const MapAxis& y);
   void take(ParameterMap map);

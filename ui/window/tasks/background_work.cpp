@@ -36,8 +36,9 @@ void BackgroundWork::start(Work work, Failed failed) {
   if (policy_ == RequestPolicy::CancelRunning) oldestRequest_ = newest_;
   {
     const std::lock_guard lock(mutex_);
-    if (policy_ != RequestPolicy::RunInOrder) waiting_.clear();
+    if (policy_ == RequestPolicy::ReplaceWaiting) waiting_.clear();
     if (policy_ == RequestPolicy::CancelRunning) {
+      waiting_.clear();
       stop_.request_stop();
       stop_ = std::stop_source();
     }
@@ -49,6 +50,7 @@ void BackgroundWork::start(Work work, Failed failed) {
 
 void BackgroundWork::cancel() {
   oldestRequest_ = newest_ + 1;
+  ended_ = newest_;
   const std::lock_guard lock(mutex_);
   waiting_.clear();
   stop_.request_stop();
@@ -75,10 +77,11 @@ void BackgroundWork::carryOut(const Request& request, const std::stop_token& sto
   try {
     request.work(run);
   } catch (const StopRequested&) {
-    return;
+    run.end([] {});
   } catch (const std::exception& error) {
-    if (request.failed)
-      run.post([failed = request.failed, reason = reasonOf(error)] { failed(reason); });
+    run.end([failed = request.failed, reason = reasonOf(error)] {
+      if (failed) failed(reason);
+    });
   }
 }
 
@@ -90,6 +93,14 @@ void BackgroundWork::Run::post(std::function<void()> post) const {
         if (number >= owner->oldestRequest_) post();
       },
       Qt::QueuedConnection);
+}
+
+/// Posts the answer to the request, which has ended then.
+void BackgroundWork::Run::end(std::function<void()> tell) const {
+  post([owner = &owner_, number = number_, tell = std::move(tell)] {
+    owner->ended_ = number;
+    tell();
+  });
 }
 
 std::function<void(double)> BackgroundWork::Run::percents(

@@ -36,7 +36,8 @@ namespace asperity {
 enum class RequestPolicy {
   CancelRunning,   // only the newest answer matters
   ReplaceWaiting,  // the running one is finished and shown: pictures of something that moves
-  RunInOrder,      // every request is carried out: files are written
+  RunInOrder,      // every request is carried out, also at the end: files are written
+  RunUntilEnd,     // every request is carried out, but none after the end: pictures of a list
 };
 
 class BackgroundWork : public QObject {
@@ -53,6 +54,7 @@ class BackgroundWork : public QObject {
 
    private:
     friend class BackgroundWork;
+    void end(std::function<void()> tell) const;
     Run(BackgroundWork& owner, std::uint64_t number, std::stop_token stop)
         : owner_(owner), number_(number), stop_(std::move(stop)) {}
 
@@ -75,18 +77,22 @@ class BackgroundWork : public QObject {
     if constexpr (std::is_void_v<Result>) {
       work = [make = std::move(make), take = std::move(take)](const Run& run) {
         make(run);
-        run.post(take);
+        run.end(take);
       };
     } else {
       work = [make = std::move(make), take = std::move(take)](const Run& run) {
         // The pointer is shared, because std::function copies what it holds and a result may be
         // large.
         const auto result = std::make_shared<Result>(make(run));
-        run.post([take, result] { take(std::move(*result)); });
+        run.end([take, result] { take(std::move(*result)); });
       };
     }
     start(std::move(work), std::move(failed));
   }
+
+  /// Returns whether a request is still to be answered. While the newest one is answered, by `take`
+  /// or `failed`, none is.
+  bool isBusy() const { return ended_ < newest_; }
 
   /// Stops the running work and drops waiting work; no results of either arrive later.
   void cancel();
@@ -104,8 +110,10 @@ class BackgroundWork : public QObject {
   void carryOut(const Request& request, const std::stop_token& stop);
 
   const RequestPolicy policy_;
-  std::uint64_t oldestRequest_ = 1, newest_ = 0;  // numbers of requests; the window's thread only
-  std::mutex mutex_;                              // protects everything down to the thread
+  // Numbers of requests, for the window's thread only: whose answers are needed, that was made
+  // last, that has ended.
+  std::uint64_t oldestRequest_ = 1, newest_ = 0, ended_ = 0;
+  std::mutex mutex_;  // protects everything down to the thread
   std::condition_variable changed_;
   std::deque<Request> waiting_;
   std::stop_source stop_;

@@ -16,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include "core/material/material_options.h"
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
@@ -98,7 +99,13 @@ TEST_F(MaterialImportTest, ChoicesMakeItAnew) {
   ASSERT_TRUE(waitForPage());
   ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->material()->referenceTemperature, 288.15, 1e-9);
-  EXPECT_EQ(page_->material()->options.size(), 2U);  // as the command would note them
+  enter("dmaPoisson", "0,45");
+  ASSERT_TRUE(waitForPage());
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
+  // As the command would note them, which knows no decimal comma.
+  EXPECT_EQ(page_->material()->options, (WrittenOptions{{"--poisson-ratio", "0.45"},
+                                                        {"--reference-temperature", "15 °C"},
+                                                        {"--terms", "7"}}));
   enter("dmaReference", "warm");
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());

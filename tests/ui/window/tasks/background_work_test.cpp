@@ -96,6 +96,54 @@ TEST(BackgroundWork, EveryFileIsWrittenEvenAtTheEnd) {
   EXPECT_EQ(done, (std::vector{1, 2, 3}));
 }
 
+TEST(BackgroundWork, AListIsWorkedOffInOrderAndDroppedAtTheEnd) {
+  std::promise<void> begun;
+  std::vector<int> done, taken;
+  {
+    BackgroundWork work(RequestPolicy::RunUntilEnd);
+    for (const int number : {1, 2})
+      work.request([number](const BackgroundWork::Run&) { return number; },
+                   [&](int made) { taken.push_back(made); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !work.isBusy(); }, kPatience));
+    EXPECT_EQ(taken, (std::vector{1, 2}));
+    work.request(
+        [&](const BackgroundWork::Run& run) {
+          begun.set_value();
+          waitForStop(run);
+          done.push_back(3);
+        },
+        [] {});
+    work.request([&](const BackgroundWork::Run&) { done.push_back(4); }, [] {});
+    begun.get_future().wait();
+  }
+  EXPECT_EQ(done, std::vector{3});
+}
+
+TEST(BackgroundWork, IsBusyUntilTheNewestRequestIsAnsweredOrCancelled) {
+  BackgroundWork work;
+  EXPECT_FALSE(work.isBusy());
+  std::vector<bool> whenTold;
+  const auto tell = [&] { whenTold.push_back(work.isBusy()); };
+  const auto waitUntilIdle = [&] {
+    EXPECT_TRUE(work.isBusy());
+    return QTest::qWaitFor([&] { return !work.isBusy(); }, kPatience);
+  };
+  work.request([&](const BackgroundWork::Run& run) { run.post(tell); }, tell);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_EQ(whenTold, (std::vector{true, false}));
+  work.request([](const BackgroundWork::Run&) { throw std::runtime_error("no"); }, tell,
+               [&](const QString&) { tell(); });
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_EQ(whenTold, (std::vector{true, false, false}));
+  work.request([](const BackgroundWork::Run&) { throw StopRequested{}; }, tell);
+  ASSERT_TRUE(waitUntilIdle());
+  work.request([](const BackgroundWork::Run& run) { waitForStop(run); }, tell);
+  EXPECT_TRUE(work.isBusy());
+  work.cancel();
+  EXPECT_FALSE(work.isBusy());
+  EXPECT_EQ(whenTold.size(), 3U);
+}
+
 TEST(BackgroundWork, WhatWasCancelledTellsNothingAndTheNextGoesOn) {
   std::promise<void> begun;
   int told = 0, taken = 0;

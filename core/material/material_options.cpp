@@ -1,4 +1,4 @@
-#include "app/material_options.h"
+#include "core/material/material_options.h"
 
 #include <algorithm>
 #include <array>
@@ -59,12 +59,11 @@ double numberWithin(const Option& option, double least, double most) {
   double number = 0;
   if (!readNumber(option.value, number) || !std::isfinite(number))
     throw InputError("", option.name,
-                     message("'{}' is not a number; allowed is {} to {}", shortened(option.value),
-                             plain(least), plain(most)));
+                     message("'{}' is not a number; allowed is {}", shortened(option.value),
+                             rangeText(least, most)));
   if (number < least || number > most)
-    throw InputError(
-        "", option.name,
-        message("{} is outside {} to {}", shortened(option.value), plain(least), plain(most)));
+    throw InputError("", option.name,
+                     message("{} is outside {}", shortened(option.value), rangeText(least, most)));
   return number;
 }
 
@@ -90,9 +89,11 @@ constexpr std::array<Row, 26> kRows{{
      [](const Option& o, MaterialChoices& c) { c.referenceTemperature = kelvins(o); }},
     {"--terms",
      [](const Option& o, MaterialChoices& c) {
-       const double terms = numberWithin(o, 1, 64);
+       const double terms = numberWithin(o, 1, kMaxTerms);
        if (terms != std::round(terms))
-         throw InputError("", o.name, message("{} is not a whole number", shortened(o.value)));
+         throw InputError("", o.name,
+                          message("{} is not a whole number; allowed is {}", shortened(o.value),
+                                  rangeText(1, kMaxTerms)));
        c.series.terms = static_cast<int>(terms);
      }},
     {"--vertical-shifts", [](const Option& o, MaterialChoices& c) { c.isVertical = isTrue(o); }},

@@ -1,5 +1,6 @@
-// The options of `asperity material`, which are the arguments of asperity.material() in Python,
-// too: one table of them for both. Pure except for reading the file; any thread.
+// The options of `asperity material`, which are the arguments of asperity.material() in Python and
+// the controls of the page of the window, too: one table of them for all. Pure except for reading
+// the file; any thread.
 #pragma once
 
 #include <span>
