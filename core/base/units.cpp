@@ -182,9 +182,11 @@ std::optional<Unit> withPrefix(std::string_view text, std::string_view si) {
 
 std::optional<Unit> other(const std::string& text) {
   constexpr std::size_t kShort = 3;  // bytes; shorter names differ by their case
+  const std::string inLowerCase = lowerCase(text);
   for (const OtherUnit& one : kOthers)
     for (const std::string_view name : one.names)
-      if (name == text || (name.size() >= kShort && lowerCase(name) == lowerCase(text)))
+      if (name.size() == text.size() &&
+          (name == text || (name.size() >= kShort && lowerCase(name) == inLowerCase)))
         return one.unit;
   return {};
 }
@@ -317,7 +319,8 @@ std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
   const std::string text = lowerCase(usualSpelling(name));
   for (const OtherUnit& one : kOthers)
     for (const std::string_view known : one.names)
-      if (one.unit.si == si && lowerCase(known) == text) return one.unit;
+      if (one.unit.si == si && known.size() == text.size() && lowerCase(known) == text)
+        return one.unit;
   const Dimension* dimension = dimensionOf(si);
   if (!dimension) return {};
   // Lower-case letters stand for two prefixes, as m does for milli and mega.

@@ -377,10 +377,10 @@ std::vector<std::vector<double>> sharesUnderWindow(const BandPowers& bands, cons
       const long nearest = place / kParts;
       const long first = nearest - std::min(kReach, count / 2);
       const long end = std::min(nearest + kReach + 1, first + count);
-      for (long wave = first; wave < end; ++wave) {
-        const long apart = std::abs(wave * kParts - place) % period;
-        // Waves across beyond the highest one appear as lower ones.
-        const auto row = static_cast<std::size_t>((wave % count + count) % count);
+      // Waves across beyond the highest one appear as lower ones.
+      auto row = static_cast<std::size_t>((first % count + count) % count);
+      for (long wave = first; wave < end; ++wave, row = row + 1 == rows ? 0 : row + 1) {
+        const long apart = std::abs(wave * kParts - place);
         const std::size_t ring = Rings::number(along, rings.waveAcross(row));
         if (ring < rings.size())
           shares[band][bandOfRing[ring]] +=

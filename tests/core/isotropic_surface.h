@@ -50,7 +50,24 @@ struct IsotropicSurface {
            sum([](double) { return 1.0; });
   }
 
-  Topography make(unsigned seed) const {
+  /// Factors of the modes of white noise, which take most of the time: several surfaces share them.
+  std::vector<double> amplitudes() const {
+    const std::size_t half = size / 2 + 1;
+    const double scale =
+        height / std::sqrt(sum([](double) { return 1.0; })) / static_cast<double>(size);
+    std::vector<double> amplitudes(size * half);
+    for (std::size_t y = 0; y < size; ++y)
+      for (std::size_t x = 0; x < half; ++x) {
+        const double ky = static_cast<double>(y <= size / 2 ? y : size - y);
+        amplitudes[y * half + x] =
+            scale * std::sqrt(weight(std::hypot(static_cast<double>(x), ky)));
+      }
+    return amplitudes;
+  }
+
+  Topography make(unsigned seed) const { return make(seed, amplitudes()); }
+
+  Topography make(unsigned seed, const std::vector<double>& amplitudes) const {
     std::mt19937_64 random(seed);
     const std::size_t half = size / 2 + 1;
     auto* modes =
@@ -65,13 +82,7 @@ struct IsotropicSurface {
     fftw_plan plan = fftw_plan_dft_r2c_2d(n, n, heights, raw, FFTW_ESTIMATE);
     fftw_execute(plan);
     fftw_destroy_plan(plan);
-    const double scale =
-        height / std::sqrt(sum([](double) { return 1.0; })) / static_cast<double>(size);
-    for (std::size_t y = 0; y < size; ++y)
-      for (std::size_t x = 0; x < half; ++x) {
-        const double ky = static_cast<double>(y <= size / 2 ? y : size - y);
-        modes[y * half + x] *= scale * std::sqrt(weight(std::hypot(static_cast<double>(x), ky)));
-      }
+    for (std::size_t i = 0; i < size * half; ++i) modes[i] *= amplitudes[i];
     plan = fftw_plan_dft_c2r_2d(n, n, raw, heights, FFTW_ESTIMATE);
     fftw_execute(plan);
     fftw_destroy_plan(plan);

@@ -1,5 +1,7 @@
 #include "ui/panels/boxes.h"
 
+#include <QAbstractItemView>
+#include <QChildEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QPainter>
@@ -55,6 +57,17 @@ void ChoiceBox::setSpoken(const QString& name, const QString& description) {
   setAccessibleName(name);
   setAccessibleDescription(description.isEmpty() ? name
                                                  : QStringLiteral("%1. %2").arg(name, description));
+  nameList();
+}
+
+void ChoiceBox::nameList() {
+  // view() would make the list, which takes longer than the box.
+  if (auto* list = findChild<QAbstractItemView*>()) list->setAccessibleName(accessibleName());
+}
+
+void ChoiceBox::childEvent(QChildEvent* event) {
+  QComboBox::childEvent(event);
+  if (event->polished()) nameList();
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent* event) {

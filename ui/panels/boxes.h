@@ -31,8 +31,12 @@ class ChoiceBox : public QComboBox {
   /// Sets what screen readers speak. On Linux Qt gives them the current entry in place of the name,
   /// so the description begins with the name.
   void setSpoken(const QString& name, const QString& description = {});
+  /// Gives the list of entries the name of the box. A list that does not exist yet gets it as soon
+  /// as Qt makes it.
+  void nameList();
 
  protected:
+  void childEvent(QChildEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 

@@ -1,6 +1,5 @@
 #include "ui/panels/parameter_row.h"
 
-#include <QAbstractItemView>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -56,7 +55,7 @@ int longestWord(const QString& html, const QFont& font) {
 
 /// Returns the width of the labels beside lists and texts. A very long one is broken into two
 /// lines, so that it does not take space from every list.
-int labelWidth(const QFont& font) {
+int measuredLabelWidth(const QFont& font) {
   const QFontMetrics metrics(font);
   const int longest = metrics.horizontalAdvance(QStringLiteral("relaxation time  T"));
   int width = 0;
@@ -72,6 +71,18 @@ int labelWidth(const QFont& font) {
     width = std::max(width, needed);
   }
   return width + 4;
+}
+
+/// Returns the same, measured once for all rows.
+int labelWidth(const QFont& font) {
+  static QFont measured;
+  static std::string_view language;
+  static int width = 0;
+  if (width == 0 || measured != font || language != presentLanguage())
+    width = measuredLabelWidth(font);
+  measured = font;
+  language = presentLanguage();
+  return width;
 }
 
 double asNumber(const ParameterValue& value) {
@@ -107,7 +118,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   addReset(*line);
   if (text_) line->setAlignment(reset_, Qt::AlignTop);
 
-  addRemarks(*column);
   keepTipsBeside(*this);
 }
 
@@ -121,7 +131,6 @@ void ParameterRow::showTexts() {
   if (list_) list_->showTexts();
   if (table_) table_->setToolTip({});  // its parts have their own tooltips
   if (choice_) {
-    choice_->view()->setAccessibleName(choice_->accessibleName());
     const auto& words = std::get<ChoiceField>(parameter_.field).choices;
     for (int i = 0; i < choice_->count(); ++i)
       choice_->setItemText(i, wordText(words[static_cast<std::size_t>(i)], parameter_.key));
@@ -231,28 +240,41 @@ void ParameterRow::showRunError(const QString& text) {
 void ParameterRow::showError() {
   const QString& shown = refusal_.isEmpty() ? runError_ : refusal_;
   if (entry_) entry_->showError(shown);
-  showRemark(*error_, shown);
+  showRemark(Remark::Error, shown);
 }
 
 void ParameterRow::showNote(const QString& text) {
-  showRemark(*note_, text);
+  showRemark(Remark::Note, text);
 }
 
 void ParameterRow::showWarning(const QString& text) {
-  showRemark(*warning_, text);
+  showRemark(Remark::Warning, text);
 }
 
-void ParameterRow::showRemark(QLabel& remark, const QString& text) {
+void ParameterRow::showRemark(Remark kind, const QString& text) {
+  constexpr std::array kRoles{"note", "warning", "error"};
+  const auto place = static_cast<std::size_t>(kind);
+  QLabel*& remark = remarks_[place];
   const QString shown = keptTogether(text);
-  if (remark.text() == shown) return;
-  remark.setText(shown);
-  remark.setVisible(!shown.isEmpty());
+  if (remark ? remark->text() == shown : shown.isEmpty()) return;
+  if (!remark) {
+    remark = named<QLabel>(nameFor(kRoles[place]), this);
+    remark->setProperty("role", kRoles[place]);
+    remark->setWordWrap(true);
+    remark->setIndent(0);  // a padding of the style sheet would indent it
+    auto& column = static_cast<QVBoxLayout&>(*layout());
+    const auto below = std::count_if(remarks_.begin() + place + 1, remarks_.end(),
+                                     [](const QLabel* other) { return other != nullptr; });
+    column.insertWidget(column.count() - static_cast<int>(below), remark);
+  }
+  remark->setText(shown);
+  remark->setVisible(!shown.isEmpty());
   speak();
 }
 
 bool ParameterRow::hasRemark() const {
-  return std::ranges::any_of(std::array{note_, warning_, error_},
-                             [](const QLabel* remark) { return !remark->text().isEmpty(); });
+  return std::ranges::any_of(
+      remarks_, [](const QLabel* remark) { return remark && !remark->text().isEmpty(); });
 }
 
 bool ParameterRow::isHeld() const {
@@ -278,21 +300,6 @@ bool ParameterRow::isChanged() const {
   return reset_->isEnabledTo(this);
 }
 
-void ParameterRow::addRemarks(QVBoxLayout& column) {
-  const auto remark = [&](const char* role) {
-    auto* label = named<QLabel>(nameFor(role), this);
-    label->setProperty("role", role);
-    label->setWordWrap(true);
-    label->setIndent(0);  // a padding of the style sheet would indent it
-    label->hide();
-    column.addWidget(label);
-    return label;
-  };
-  note_ = remark("note");
-  warning_ = remark("warning");
-  error_ = remark("error");
-}
-
 /// Aligns the columns of all rows, with widths that follow the font.
 void ParameterRow::setWidths() {
   const double digit = QFontMetricsF(font()).horizontalAdvance('0');
@@ -314,7 +321,7 @@ void ParameterRow::setWidths() {
 
 void ParameterRow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && error_) setWidths();
+  if (event->type() == QEvent::FontChange && reset_) setWidths();
 }
 
 void ParameterRow::addLabel(QHBoxLayout& line) {
@@ -435,8 +442,8 @@ QString ParameterRow::nameFor(const char* kind) const {
 void ParameterRow::speak() {
   const QString name = labelText(parameter_);
   QStringList sentences{translatedText(parameter_.sentence)};
-  for (const QLabel* remark : {note_, warning_, error_})
-    if (!remark->text().isEmpty()) sentences += remark->text();
+  for (const QLabel* remark : remarks_)
+    if (remark && !remark->text().isEmpty()) sentences += remark->text();
   const QString description = sentences.join(' ');
   for (QWidget* control : Widgets{slider_, entry_, table_, text_}) {
     if (!control) continue;

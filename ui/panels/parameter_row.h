@@ -9,6 +9,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 
 #include "core/scene/parameters.h"
@@ -90,6 +91,7 @@ class ParameterRow : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  enum class Remark { Note, Warning, Error };  // from above
   void addLabel(QHBoxLayout& line);
   void addEntry();
   void addNumber(QHBoxLayout& line, QVBoxLayout& column);
@@ -101,9 +103,8 @@ class ParameterRow : public QWidget {
   void addListBox(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
-  void addRemarks(QVBoxLayout& column);
   void showError();
-  void showRemark(QLabel& remark, const QString& text);
+  void showRemark(Remark kind, const QString& text);
   void showEnabled();
   void setWidths();
   void showOnSlider(double value, bool replace);
@@ -131,9 +132,7 @@ class ParameterRow : public QWidget {
   QToolButton* reset_ = nullptr;
   ParameterValue resetValue_;  // value of the reset button
   QString refusal_, runError_;
-  QLabel* note_ = nullptr;
-  QLabel* warning_ = nullptr;
-  QLabel* error_ = nullptr;
+  std::array<QLabel*, 3> remarks_{};  // below the controls; null until there is something to say
 };
 
 }  // namespace asperity

@@ -233,8 +233,10 @@ TEST(EquivalentLine, OfTopographiesHasTheirHeightAndGradient) {
   const IsotropicSurface surface;
   double height = 0, slope = 0;
   constexpr int kSurfaces = 40;
+  const std::vector<double> amplitudes = surface.amplitudes();
   for (unsigned r = 0; r < kSurfaces; ++r) {
-    const EquivalentSpectra spectra = equivalentSpectra(surface.make(r + 1), FormRemoval::None);
+    const EquivalentSpectra spectra =
+        equivalentSpectra(surface.make(r + 1, amplitudes), FormRemoval::None);
     height += spectra.line.total() / kSurfaces;
     slope += squareSlope(spectra.line) / kSurfaces;
   }
@@ -247,8 +249,9 @@ TEST(EquivalentLine, OfCutProfilesIsThatOfTheirSurface) {
   const IsotropicSurface surface;
   double height = 0, slope = 0;
   int cuts = 0;
+  const std::vector<double> amplitudes = surface.amplitudes();
   for (unsigned r = 0; r < 20; ++r) {
-    const Topography topography = surface.make(r + 1);
+    const Topography topography = surface.make(r + 1, amplitudes);
     for (std::int64_t row = 12; row < topography.rows; row += 25, ++cuts) {
       const BandPowers cut =
           equivalentSpectra(inBands(hannPowers(topography.row(row)), topography.length())).line;

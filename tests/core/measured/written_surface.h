@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -37,7 +38,8 @@ template <class Number>
 void put(std::string& bytes, Number number, bool bigEndian = false) {
   std::array<char, sizeof(Number)> raw{};
   std::memcpy(raw.data(), &number, sizeof number);
-  for (std::size_t i = 0; i < raw.size(); ++i) bytes += raw[bigEndian ? raw.size() - 1 - i : i];
+  if (bigEndian) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
 }
 
 inline void putText(std::string& bytes, std::string text, std::size_t size, char fill = ' ') {

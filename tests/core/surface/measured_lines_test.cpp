@@ -338,8 +338,9 @@ std::vector<Squares> meanOfLines(const IsotropicSurface& surface, std::vector<Li
   scene.surface.processing.form = FormRemoval::None;
   std::vector<Squares> means(kinds.size());
   const double squareGradient = surface.squareGradient();
+  const std::vector<double> amplitudes = surface.amplitudes();
   for (unsigned r = 0; r < kSurfaces; ++r) {
-    Topography topography = surface.make(r + 1);
+    Topography topography = surface.make(r + 1, amplitudes);
     if (fromProfile) {
       const auto row = topography.row(100);
       topography = topographyOf({row.begin(), row.end()}, 1, surface.spacing);
@@ -375,8 +376,9 @@ TEST(IsotropicEquivalent, HasTheHeightOfTheSurfaceWhereRowsAreLevelled) {
   surface.rollOffWaves = 6;  // of 512 points; a row has half of them
   Scene scene = measuredScene();
   double lines = 0, rows = 0, whole = 0;
+  const std::vector<double> amplitudes = surface.amplitudes();
   for (unsigned seed = 1; seed <= 24; ++seed) {
-    const Topography topography = surface.make(seed);
+    const Topography topography = surface.make(seed, amplitudes);
     const auto size = static_cast<std::size_t>(topography.columns);
     std::vector<double> plane = topography.height;
     removeForm(plane, size, size, FormRemoval::Line);
@@ -424,8 +426,9 @@ TEST(IsotropicEquivalent, OfFewRowsHasTheGradientOfTheirSurface) {
                                std::pair{16, 4}, std::pair{100, 4}};
   constexpr unsigned kSurfaces = 6;
   std::array<double, kStrips.size()> square{};
+  const std::vector<double> amplitudes = surface.amplitudes();
   for (unsigned seed = 1; seed <= kSurfaces; ++seed) {
-    const Topography all = surface.make(seed);
+    const Topography all = surface.make(seed, amplitudes);
     for (std::size_t i = 0; i < kStrips.size(); ++i) {
       const auto [rows, step] = kStrips[i];
       const MeasuredLines lines(scene, fileOf(strip(all, rows, step)));

@@ -45,10 +45,13 @@ class ParameterPanelTest : public testing::Test {
   }
   ValueSlider& slider(const QString& key) { return *control<ValueSlider>("slider:" + key); }
   ValueEntry& entry(const QString& key) { return *control<ValueEntry>("entry:" + key); }
-  /// With plain blanks where the label has those that break no line.
-  QString complaint(const QString& key) {
-    return control<QLabel>("error:" + key)->text().replace(QChar::Nbsp, ' ');
+  /// The remark of this kind below a row; empty where there never was one.
+  QString remark(const QString& kind, const QString& key) {
+    const auto* label = control<QLabel>(kind + ":" + key);
+    return label ? label->text() : QString();
   }
+  /// With plain blanks where the label has those that break no line.
+  QString complaint(const QString& key) { return remark("error", key).replace(QChar::Nbsp, ' '); }
 
   bool isShown(const QString& name) {
     auto* widget = control<QWidget>(name);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QHelpEvent>
@@ -377,11 +378,21 @@ TEST_F(ParameterPanelTest, AComplaintOfTheRunnerDoesNotHideARefusal) {
   EXPECT_EQ(complaint("surface.hurst"), "");
 }
 
+/// Qt makes the list of a box when it opens; screen readers then know what it is.
+TEST_F(ParameterPanelTest, TheListOfABoxHasItsNameOnceItOpens) {
+  auto& box = *control<QComboBox>("choice:surface.kind");
+  EXPECT_EQ(box.findChild<QAbstractItemView*>(), nullptr) << "made before it is needed";
+  panel_.show();
+  box.showPopup();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(box.accessibleName().isEmpty());
+  EXPECT_EQ(box.view()->accessibleName(), box.accessibleName());
+  box.hidePopup();
+}
+
 /// Another kind of load hides the row that had the note.
 TEST_F(ParameterPanelTest, ANoteStandsAtOnceAtTheRowThatTheNewSceneHas) {
-  const auto warning = [this](const char* key) {
-    return control<QLabel>(QStringLiteral("warning:") + key)->text();
-  };
+  const auto warning = [this](const char* key) { return remark("warning", key); };
   NoteSet notes;
   notes.add(Note::FewContacts);
   panel_.showNotes(notes);

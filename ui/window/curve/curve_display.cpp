@@ -261,7 +261,7 @@ AxisChoosers::AxisChoosers(Session& session, ChartView& view, CurveCommands& com
 void AxisChoosers::showTexts() {
   x_->setAccessibleName(tr("horizontal axis"));
   y_->setAccessibleName(tr("vertical axis"));
-  for (AxisBox* box : {x_, y_}) box->view()->setAccessibleName(box->accessibleName());
+  for (AxisBox* box : {x_, y_}) box->nameList();
   fillKeys();
   fillQuantities();
 }
