@@ -9,6 +9,8 @@
 #include "app/batch/batch_file.h"
 #include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
+#include "core/material/material_options.h"
+#include "core/material/prony_fit.h"
 #include "core/paper/figure.h"
 #include "core/study/study_file.h"
 #include "ui/language/language.h"
@@ -48,7 +50,7 @@ void addMaterialOptions(CLI::App& command, WrittenOptions& options) {
       "the isotherm nearest to it)");
   setIntegerRange(
       add("--terms", "Number of relaxation times (default: as few as reach the smallest residual)"),
-      1, 64);
+      1, kMaxTerms);
   addFlag("--vertical-shifts", "Shift the moduli as well, which a scene does not use");
   add("--shift", "Shift with temperature in material.json: auto, wlf, arrhenius or table")
       ->default_str("auto");

@@ -235,6 +235,10 @@ std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit) {
   return {};
 }
 
+std::optional<FrictionQuantity> stateOfUnit(const std::string& unit) {
+  return measures(unit, Quantity::Velocity) ? Quantity::Velocity : quantityOfUnit(unit);
+}
+
 bool isAmbiguousName(const std::string& name) {
   return isAmbiguous(plainWord(name)) || withoutAverage(name);
 }

@@ -79,10 +79,12 @@ bool isShareUnit(std::string_view unit);
 
 /// Returns the unit of this load, temperature or velocity; nothing where the text is none.
 std::optional<Unit> unitOfQuantity(const std::string& unit, FrictionQuantity quantity);
-/// Returns whether a unit measures this load or temperature.
+/// Returns whether a unit measures this load, temperature or velocity.
 bool measures(const std::string& unit, FrictionQuantity quantity);
 /// Returns the load or temperature that has this unit.
 std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit);
+/// Returns the same of a load, a temperature or a velocity, in which friction may be measured.
+std::optional<FrictionQuantity> stateOfUnit(const std::string& unit);
 /// Returns whether a force, stress or modulus with these words in its name is no normal load: the
 /// force of friction, the shear stress, the modulus of the rubber.
 bool isOtherLoad(const std::vector<std::string>& words);

@@ -153,13 +153,6 @@ void keepLabels(TextBlock& block) {
 
 // ---- Several states side by side ----------------------------------------------------------------
 
-/// Returns the load, temperature or velocity that has this unit.
-std::optional<FrictionQuantity> stateOfUnit(const std::string& unit) {
-  const auto quantity = quantityOfUnit(unit);
-  return !quantity && measures(unit, FrictionQuantity::Velocity) ? FrictionQuantity::Velocity
-                                                                 : quantity;
-}
-
 /// A temperature, load or velocity in the name of a column, and the column without it.
 struct NamedState {
   FrictionQuantity quantity = FrictionQuantity::Temperature;
@@ -189,13 +182,17 @@ std::optional<NamedState> stateOf(const TextColumn& column) {
     for (const std::string_view word : WordList(" at, bei", ','))
       if (name.ends_with(word) && name.size() > word.size() + 1)
         name = withoutEnd(name.substr(0, name.size() - word.size()), " ");
-    if (const std::size_t last = name.find_last_of(" ([@_,"); last != name.npos && last > 0)
-      if (quantityNamed(plainWord(name.substr(last + 1))) == quantity)
-        name = withoutEnd(name.substr(0, last), " ([@_,");
+    // "mu v=1 mm/s"
+    if (quantity == FrictionQuantity::Velocity && name.ends_with('v'))
+      name = withoutEnd(name.substr(0, name.size() - 1), " ([@_,");
     found.column.name = name;
     found.column.unit = isJoined ? std::string() : column.unit;
     found.column.isText = column.isText;
     found.meaning = findMeaning(found.column);
+    // "v (1e-3 m/s)" has a power of ten in its unit.
+    const bool isOfFriction =
+        found.meaning == FrictionQuantity::Mu || found.meaning == FrictionQuantity::MuError;
+    if (*quantity == FrictionQuantity::Velocity && !isOfFriction) continue;
     return found;
   }
   return {};
@@ -304,8 +301,8 @@ std::vector<StateColumns> statesOf(const TextBlock& block,
     if (!state.mu || state.error.has_value() != states.front().error.has_value()) return {};
   for (std::size_t i = 0; i < named.size(); ++i) {
     const auto meaning = named[i] ? std::nullopt : findMeaning(block.columns[i]);
-    const bool isLoad = meaning == Force || meaning == Pressure;
-    const bool isSame = meaning == quantity || (isLoad && quantity != Temperature);
+    const auto isLoad = [](const auto& one) { return one == Force || one == Pressure; };
+    const bool isSame = meaning == quantity || (isLoad(meaning) && isLoad(quantity));
     // The number of a column after those of friction would be another one.
     if (meaning == Mu || isSame || (meaning && i > *states.front().mu)) return {};
   }

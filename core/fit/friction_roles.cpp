@@ -87,10 +87,10 @@ class FrictionRoleFinder {
     if (number == name.npos || quantityNamed(plainWord(name.substr(0, number))) != Quantity::Mu)
       return false;
     const auto state = parseQuantity(withoutEnd(name.substr(number), ")"));
-    return state && quantityOfUnit(state->unit);
+    return state && stateOfUnit(state->unit);
   }
 
-  /// Throws InputError for friction at several temperatures or loads side by side.
+  /// Throws InputError for friction at several temperatures, loads or velocities side by side.
   void refuseSeveralStates() const {
     std::string names;
     int count = 0;

@@ -37,21 +37,28 @@ Scene withRenamedFiles(Scene scene, const Rename& rename) {
   return scene;
 }
 
-/// Returns the absolute path with the links of its folders followed, so that ".." in a name leads
-/// where the system goes. The file itself may be a link; nothing of the path need exist.
-std::filesystem::path canonicalFolder(const std::filesystem::path& folder) {
-  std::filesystem::path path = std::filesystem::current_path() / folder;  // empty: this one itself
-  if (!path.has_filename()) path = path.parent_path();
-  std::error_code error;
-  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : canonical;
+/// Returns the absolute path of a folder, which need not exist; empty is the present one.
+std::filesystem::path absoluteFolder(const std::filesystem::path& folder) {
+  const std::filesystem::path path = std::filesystem::current_path() / folder;
+  return path.has_filename() ? path : path.parent_path();
 }
 
-/// Returns the name of a file as seen from a folder.
+/// Returns the same with its links followed. Nothing of the path need exist.
+std::filesystem::path withoutLinks(const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto path = std::filesystem::weakly_canonical(absoluteFolder(folder), error);
+  return error ? absoluteFolder(folder).lexically_normal() : path;
+}
+
+/// Returns the name of a file as seen from a folder. A name that goes up has the links of both
+/// folders followed, because the system follows a link before "..".
 std::filesystem::path nameFrom(const std::filesystem::path& folder,
                                const std::filesystem::path& file) {
-  return (canonicalFolder(file.parent_path()) / file.filename())
-      .lexically_proximate(canonicalFolder(folder));
+  const auto path = (absoluteFolder(file.parent_path()) / file.filename()).lexically_normal();
+  const auto name = path.lexically_relative(absoluteFolder(folder).lexically_normal());
+  if (!name.empty() && *name.begin() != "..") return name;
+  return (withoutLinks(file.parent_path()) / file.filename())
+      .lexically_proximate(withoutLinks(folder));
 }
 
 /// Returns the name of the file relative to the folder if it lies there or below; else empty.
@@ -79,13 +86,13 @@ std::vector<std::filesystem::path> filesReadBy(const Scene& scene) {
   return files;
 }
 
-Scene withAbsoluteFiles(Scene scene) {
-  return withRenamedFiles(std::move(scene), [folder = scene.folder](const std::string& name) {
-    return std::filesystem::absolute(folder / name).lexically_normal().string();
+Scene withAbsoluteFiles(const Scene& scene) {
+  return withRenamedFiles(scene, [&scene](const std::string& name) {
+    return std::filesystem::absolute(scene.folder / name).lexically_normal().string();
   });
 }
 
-Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene) {
+Scene withFilesRelativeTo(const std::filesystem::path& folder, const Scene& scene) {
   return withRenamedFiles(scene, [&](const std::string& name) {
     if (std::filesystem::path(name).is_absolute()) {
       const std::string below = nameBelow(folder, name);

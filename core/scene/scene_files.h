@@ -28,12 +28,12 @@ std::vector<std::filesystem::path> filesReadBy(const Scene& scene);
 std::string nameInScene(const Scene& scene, const std::filesystem::path& file);
 
 /// Returns the scene with absolute names of its files, which are found from any folder.
-Scene withAbsoluteFiles(Scene scene);
+Scene withAbsoluteFiles(const Scene& scene);
 
 /// Returns the scene with its files named relative to a folder, into which it is to be written.
 /// Absolute names stay where the file lies outside of the folder; a scene beside its files can be
 /// moved together with them.
-Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene);
+Scene withFilesRelativeTo(const std::filesystem::path& folder, const Scene& scene);
 
 /// Makes a shipped material, or one of a file, that of the scene: its elastomer then has all values
 /// of the material, at the scene's temperature. An empty name forgets the name and keeps the

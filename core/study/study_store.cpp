@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little,
               "the numbers of a store are little-endian");
 
 constexpr int kApplication = 0x41737031;  // "Asp1", in the header of the file
-constexpr int kTableSchema = 1;                // of the tables
+constexpr int kTableSchema = 1;           // of the tables
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS meta (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
@@ -181,9 +181,9 @@ void StudyStore::readHeader() {
   if (application != kApplication)
     throw InputError(file().string(), "", "is a database, but not the store of a study");
   if (schema != kTableSchema)
-    throw InputError(
-        file().string(), "",
-        message("has schema {}; this program knows {}: a newer one is needed", schema, kTableSchema));
+    throw InputError(file().string(), "",
+                     message("has schema {}; this program knows {}: a newer one is needed", schema,
+                             kTableSchema));
   const std::string text = metaText("study");
   ParameterStudy study;
   try {

@@ -67,6 +67,8 @@ void ChoiceBox::nameList() {
 
 void ChoiceBox::childEvent(QChildEvent* event) {
   QComboBox::childEvent(event);
+  // A screen reader may ask for the list before it is shown; it is not whole yet when it is added.
+  if (event->added()) QMetaObject::invokeMethod(this, &ChoiceBox::nameList, Qt::QueuedConnection);
   if (event->polished()) nameList();
 }
 

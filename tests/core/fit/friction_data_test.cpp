@@ -896,6 +896,12 @@ TEST(FrictionData, VelocitiesAboveColumnsOfFriction) {
       "20;0,9;0,1;0,8;0,2\n40;0,7;0,3;0,6;0,4\n");
   EXPECT_NEAR(warm.points[3].temperature, 313.15, 1e-9);
   EXPECT_DOUBLE_EQ(warm.points[3].muError, 0.4);
+  // A power of ten of a unit is no velocity, and a force of friction is no friction.
+  EXPECT_DOUBLE_EQ(
+      parsed("v (1e-3 m/s);mu 5 \u00B0C;mu 25 \u00B0C\n1;0,3;0,2\n2;0,4;0,3\n").points[3].velocity,
+      2e-3);
+  EXPECT_THAT(errorOf("v (mm/s);friction force 5 N;friction force 10 N\n1;3;2\n2;4;3\n"),
+              HasSubstr("has no column of the coefficient of friction"));
   // A velocity in the rows is another one.
   EXPECT_NE(errorOf("v (m/s);mu 1 mm/s;mu 10 mm/s\n" + rows), "no error");
   EXPECT_THAT(errorOf("load (N);1 mm/s;10 mm/s\n" + rows),

@@ -41,6 +41,12 @@ TEST(FilesRelativeToTheScene, RelativeNamesFollowTheScene) {
   EXPECT_EQ(saved.comparison.data.front().file, "../mu.csv");
 }
 
+TEST(AbsoluteFiles, AreThoseOfTheScenesFolder) {
+  const Scene absolute = withAbsoluteFiles(sceneWithFiles("../asphalt.sdf", "/elsewhere/mu.csv"));
+  EXPECT_EQ(absolute.surface.file, "/measured/asphalt.sdf");
+  EXPECT_EQ(absolute.comparison.data.front().file, "/elsewhere/mu.csv");
+}
+
 // A scene of the present folder has no name of a folder.
 TEST(FilesRelativeToTheScene, ThePresentFolderIsOneToo) {
   Scene scene;
@@ -73,6 +79,21 @@ TEST(FilesRelativeToTheScene, NamesLeadToTheFilesFromALinkedFolder) {
   const std::filesystem::path name = saved.comparison.data.front().file;
   EXPECT_TRUE(name.is_relative());
   EXPECT_TRUE(std::filesystem::equivalent((root / "out") / name, root / "mu.csv"));
+}
+
+// The folder of a project may link to the disk with its data.
+TEST(FilesRelativeToTheScene, NamesBelowTheSceneKeepTheirLinks) {
+  const TemporaryFolder root;
+  std::filesystem::create_directories(root / "disk");
+  std::filesystem::create_directory(root / "project");
+  std::filesystem::create_directory_symlink("../disk", root / "project/data");
+  root.write("disk/mu.csv", "velocity,mu\n");
+  Scene scene;
+  scene.folder = root / "project";
+  scene.comparison.data = {{"data/mu.csv", {}}};
+  EXPECT_EQ(withFilesRelativeTo(root / "project", scene).comparison.data.front().file,
+            "data/mu.csv");
+  EXPECT_EQ(nameInScene(scene, root / "project/data/mu.csv"), "data/mu.csv");
 }
 
 // A link beside the scene is the file's name there; what it leads to may change.

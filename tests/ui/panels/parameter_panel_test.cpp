@@ -390,6 +390,15 @@ TEST_F(ParameterPanelTest, TheListOfABoxHasItsNameOnceItOpens) {
   box.hidePopup();
 }
 
+/// A screen reader asks for the list of a box that nobody opened.
+TEST_F(ParameterPanelTest, TheListOfAClosedBoxHasItsName) {
+  auto& box = *control<QComboBox>("choice:surface.kind");
+  box.view();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(box.accessibleName().isEmpty());
+  EXPECT_EQ(box.view()->accessibleName(), box.accessibleName());
+}
+
 /// Another kind of load hides the row that had the note.
 TEST_F(ParameterPanelTest, ANoteStandsAtOnceAtTheRowThatTheNewSceneHas) {
   const auto warning = [this](const char* key) { return remark("warning", key); };

@@ -241,6 +241,7 @@ void SceneThumbnails::request(const QString& name) {
         return image;
       },
       [this, name](const QImage& image) {
+        if (image.isNull()) return;
         pictures_[name] = QPixmap::fromImage(image);
         emit changed(name);
       });
