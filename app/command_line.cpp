@@ -28,7 +28,8 @@ constexpr const char* kDescription =
 
 class CommandLine {
  public:
-  CommandLine() : app_(kDescription, "asperity") {
+  /// word: the first one behind the program's name; may be empty.
+  explicit CommandLine(std::string_view word) : app_(kDescription, "asperity") {
     app_.set_version_flag("--version", versionText());
     app_.add_option("--completions", completions_,
                     "Print completions of this command line for bash, zsh or fish")
@@ -37,7 +38,7 @@ class CommandLine {
                   "Print all scene keys, columns and options as Markdown");
     app_.set_help_flag("-h,--help", "Show this help");
     app_.require_subcommand(0, 1);
-    commands_.declareIn(app_, remake);
+    commands_.declareIn(app_, word, remake);
     app_.footer(fmt::format(
         "Exit status: {} done, {} the run failed, {} bad input or usage, {} interrupted, {} "
         "terminated.\n{}",
@@ -143,7 +144,7 @@ class CommandLine {
     std::string name = "asperity";
     std::vector<char*> words{name.data()};
     for (std::string& word : remake.words) words.push_back(word.data());
-    CommandLine again;
+    CommandLine again(words.size() > 1 ? words[1] : "");
     again.setRemade(remake);
     const int status = again.run(static_cast<int>(words.size()), words.data());
     if (status != kDone && !remake.hasSeveralScenes) return status;
@@ -170,7 +171,7 @@ class CommandLine {
 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
-  CommandLine commandLine;
+  CommandLine commandLine(argc > 1 ? argv[1] : "");
   commandLine.checkCommand(argc, argv);
   const int status = commandLine.run(argc, argv);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -93,29 +94,26 @@ void addMaterialOptions(CLI::App& command, WrittenOptions& options) {
 
 }  // namespace
 
-void CommandTable::declareIn(CLI::App& app, std::function<int(const OpenCommand&)> remake) {
+void CommandTable::declareIn(CLI::App& app, std::string_view word,
+                             std::function<int(const OpenCommand&)> remake) {
   app_ = &app;
   remake_ = std::move(remake);
   app.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
   addShared(app, window_, kLastLanguage);
-  addCheck();
-  addCurve();
-  addMap();
-  addSensitivity();
-  addCutoff();
-  addMotion();
-  addRender();
-  addSurface();
-  addMaterial();
-  addFit();
-  addFigure();
-  addOpen();
-  addBatch();
-  addStudy();
-  addAccuracy();
-  addExplain();
-  addColumns();
-  addLesson();
+  using Command = std::pair<std::string_view, void (CommandTable::*)()>;
+  static constexpr Command kCommands[] = {
+      {"check", &CommandTable::addCheck},       {"curve", &CommandTable::addCurve},
+      {"map", &CommandTable::addMap},           {"sensitivity", &CommandTable::addSensitivity},
+      {"cutoff", &CommandTable::addCutoff},     {"motion", &CommandTable::addMotion},
+      {"render", &CommandTable::addRender},     {"surface", &CommandTable::addSurface},
+      {"material", &CommandTable::addMaterial}, {"fit", &CommandTable::addFit},
+      {"figure", &CommandTable::addFigure},     {"open", &CommandTable::addOpen},
+      {"batch", &CommandTable::addBatch},       {"study", &CommandTable::addStudy},
+      {"accuracy", &CommandTable::addAccuracy}, {"explain", &CommandTable::addExplain},
+      {"columns", &CommandTable::addColumns},   {"lesson", &CommandTable::addLesson}};
+  const auto* named = std::ranges::find(kCommands, word, &Command::first);
+  if (named != std::end(kCommands)) return (this->*named->second)();
+  for (const Command& command : kCommands) (this->*command.second)();
 }
 
 int CommandTable::run() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "app/command_line.h"
@@ -16,8 +17,11 @@ namespace asperity {
 class CommandTable {
  public:
   /// Adds all commands, and the options of the one that opens the window, to `app`, which must
-  /// outlive the table. remake: what `open --remake` does.
-  void declareIn(CLI::App& app, std::function<int(const OpenCommand&)> remake);
+  /// outlive the table. Where `word`, the first of the command line, names a command, it is the
+  /// only one: declaring all takes longer than many a command runs. remake: what `open --remake`
+  /// does.
+  void declareIn(CLI::App& app, std::string_view word,
+                 std::function<int(const OpenCommand&)> remake);
 
   /// Returns the options that every command takes, for each of them.
   const std::vector<CommonOptions*>& common() const { return common_; }

@@ -185,6 +185,7 @@ StateOptions Objective::stateOptions() const {
 std::vector<Scene> Objective::statesAt(const VectorXd& coordinates) const {
   const Scene here = at(fixed_, coordinates);
   std::vector<Scene> states;
+  states.reserve(points_.size());
   for (const MeasuredPoint& point : points_) states.push_back(sceneAtPoint(point, here));
   return states;
 }

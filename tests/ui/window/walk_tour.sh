@@ -11,6 +11,6 @@ trap 'kill $pid' EXIT
 set -- --do tour
 [ "$colours" = light ] || set -- --dark "$@"
 for step in 1 2 3 4 5 6; do
-  "$program" "$folder/tour_${step}_${size}_$colours.png" --size "$size" --wait 1000 "$@"
+  "$program" "$folder/tour_${step}_${size}_$colours.png" --size "$size" --wait 300 "$@"
   set -- "$@" --do tourStepNext
 done
