@@ -80,8 +80,8 @@ std::vector<std::filesystem::path> filesReadBy(const Scene& scene) {
 }
 
 Scene withAbsoluteFiles(Scene scene) {
-  return withRenamedFiles(std::move(scene), [folder = scene.folder](const std::string& name) {
-    return std::filesystem::absolute(folder / name).lexically_normal().string();
+  return withRenamedFiles(scene, [&](const std::string& name) {
+    return std::filesystem::absolute(scene.folder / name).lexically_normal().string();
   });
 }
 
