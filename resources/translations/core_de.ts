@@ -5751,6 +5751,10 @@
         <translation>„%1“ hat keine Einheit; dahinter steht °C, K oder °F</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is not a temperature such as 20 °C, 293.15 K or 68 °F</source>
+        <translation>„%1“ ist keine Temperatur wie 20 °C, 293,15 K oder 68 °F</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is not a temperature such as 20C, 293.15K or 68F</source>
         <translation>„%1“ ist keine Temperatur wie 20C, 293.15K oder 68F</translation>
     </message>

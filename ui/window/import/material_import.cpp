@@ -24,6 +24,7 @@
 #include "core/chart/material_sheets.h"
 #include "core/material/material_options.h"
 #include "core/material/material_summary.h"
+#include "core/material/text_quantities.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/boxes.h"
@@ -54,13 +55,18 @@ QString asQuantity(const QString& text, const char*) {
 
 /// The page shows degrees Celsius, and the command takes a number alone in kelvins.
 QString asTemperature(const QString& text, const char* option) {
+  const QString typed = withoutGroups(text);
+  const std::string given = text.toStdString();
   bool hasNoUnit = false;
-  (void)withoutGroups(text).toDouble(&hasNoUnit);
+  (void)typed.toDouble(&hasNoUnit);
   if (hasNoUnit)
+    throw InputError("", option,
+                     message("'{}' has no unit; write \u00B0C, K or \u00B0F after it", given));
+  if (!parseTemperature(typed.toStdString()))
     throw InputError(
         "", option,
-        message("'{}' has no unit; write \u00B0C, K or \u00B0F after it", text.toStdString()));
-  return withoutGroups(text);
+        message("'{}' is not a temperature such as 20 \u00B0C, 293.15 K or 68 \u00B0F", given));
+  return typed;
 }
 
 QString askForMaterial(QWidget* parent, const QString& proposed) {
