@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 
@@ -34,6 +35,9 @@ bool statesQuantity(std::string_view text);
 /// Reads the key and the value of a line (text_entry.cpp).
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 
+/// What stands before a unit in several languages: "v in m/s", "hauteur en \u00B5m".
+inline constexpr WordList kBeforeUnits("in en em");
+
 /// Separates the name of a column and its unit: "x (mm)", "z/um", "Height [\u00B5m]", "freq_Hz", "x
 /// in mm", "x, mm", "x mm", "X_(microns)". In round brackets, after a slash, a blank or "_" only
 /// a known unit counts; the text in square brackets at the end is always a unit.
@@ -52,6 +56,8 @@ bool isLineOfNames(const TextEntry& entry, const std::vector<TextColumn>& column
 /// Erases the lines of the names of these columns, where a table gets other columns: a state in a
 /// name, "mu 5 N", is not one of all points.
 void eraseLinesOfNames(std::vector<TextEntry>& header, const std::vector<TextColumn>& columns);
+
+// ---- Lines of names (text_names.cpp)
 
 /// Splits a line of names for `columns` columns. The names may be separated differently from the
 /// numbers: the first separator that gives this number of names is used; none where there is no

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -432,51 +430,6 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
           "\u0442\u043E\u0442 a\u00E7\u0131sal \u00FAhlov") ||
       plain == "w" || isOneOf(plain, kReducedAngularSymbols);
   return column;
-}
-
-std::optional<double> strainUnit(std::string_view unit) {
-  std::string word = compactName(unit);
-  for (const std::string_view micro : {"\u00B5", "\u03BC"}) replaceAll(word, micro, "u");
-  if (word.empty() || isOneOf(word, "1 m/m mm/mm um/um strain ratio")) return 1;
-  if (isOneOf(word, "% percent pct")) return 1e-2;
-  if (isOneOf(word, "\u2030 mm/m")) return 1e-3;
-  if (isOneOf(word, "ppm um/m ustrain microstrain")) return 1e-6;
-  return {};
-}
-
-std::optional<double> parseStrain(std::string_view text) {
-  const auto quantity = parseQuantity(text);
-  if (!quantity || !(quantity->unit.empty() || quantity->unit == "%")) return {};
-  const double strain = quantity->unit.empty() ? quantity->number : quantity->number / 100;
-  return strain > 0 && std::isfinite(strain) ? std::optional(strain) : std::nullopt;
-}
-
-std::optional<double> viscosityUnit(std::string unit) {
-  replaceAll(unit, ".", " ");  // "Pa.s"
-  if (unit.ends_with("Pas")) unit.insert(unit.size() - 1, " ");
-  return unitSize(unit, "Pa s");
-}
-
-std::optional<double> complianceUnit(std::string_view unit) {
-  std::string inverse;
-  if (const std::size_t stroke = unit.find('/'); stroke != unit.npos) {
-    const std::string_view above = trimmedBlanks(unit.substr(0, stroke));
-    inverse = withoutBrackets(unit.substr(stroke + 1));
-    if (above != "1") inverse += "/" + std::string(above);
-  } else {
-    for (const std::string_view power : WordList("^-1 ^(-1) -1 \u207B\u00B9"))
-      if (unit.ends_with(power)) {
-        inverse = trimmedBlanks(unit.substr(0, unit.size() - power.size()));
-        break;
-      }
-  }
-  const auto size = unitSize(inverse, "Pa");
-  return size ? std::optional(1 / *size) : std::nullopt;
-}
-
-std::optional<double> angleUnit(std::string_view unit) {
-  if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
-  return unitSize(unit, "rad");
 }
 
 std::optional<Message> unusualModulus(double least, double most) {

@@ -88,23 +88,6 @@ std::string compactName(std::string_view name);
 /// known or not. Empty where there is none.
 std::string unitText(std::string_view name);
 
-/// Reads a strain, "1%" or "0.01"; nothing where the text is no number above 0.
-std::optional<double> parseStrain(std::string_view text);
-
-/// Returns one unit of strain as a ratio: 0.01 for "%", 1 for "mm/mm" or no unit; nothing where the
-/// text is none, as "mm".
-std::optional<double> strainUnit(std::string_view unit);
-
-/// Returns one unit of viscosity in Pa s; nothing where the text is none.
-std::optional<double> viscosityUnit(std::string unit);
-
-/// Returns one unit of compliance, "1/MPa" or "mm\u00B2/N", in 1/Pa; nothing where the text is
-/// none.
-std::optional<double> complianceUnit(std::string_view unit);
-
-/// Returns one unit of angle in radians; nothing where the text is none.
-std::optional<double> angleUnit(std::string_view unit);
-
 /// Returns what to say about moduli (Pa) that no rubber has; nothing where one may.
 std::optional<Message> unusualModulus(double least, double most);
 

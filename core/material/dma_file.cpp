@@ -117,12 +117,13 @@ class DmaReader {
 
   bool readBlock(const TextBlock& block) {
     std::string leftOut;
-    const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_, leftOut);
+    const DmaBlock in{{table_, block}, name_, choices_};
+    const std::vector<SweepColumns> sweeps = findSweeps(in, leftOut);
     if (!sweeps.empty() && file_.facts.leftOutColumns.empty()) file_.facts.leftOutColumns = leftOut;
     for (const SweepColumns& columns : sweeps) {
       DmaFacts& facts = file_.facts;
       const DmaFacts before = facts;
-      readSweep({{table_, block}, name_, choices_}, columns, sweeps.size() > 1);
+      readSweep(in, columns, sweeps.size() > 1);
       facts.hasOtherColumns =
           facts.hasOtherColumns ||
           (facts.sweeps > 0 && !(facts.frequency == before.frequency &&
@@ -173,7 +174,7 @@ class DmaReader {
       facts.temperature = {};
       facts.stated.reset();
       if (choices_.temperature) oneTemperature = choices_.temperature;
-      if (!oneTemperature) oneTemperature = temperatureAbove(in.block, isReduced);
+      if (!oneTemperature) oneTemperature = temperatureAbove(in, isReduced);
     }
     ModulusColumns moduli = findModulusColumns(in, columns);
     facts.storage = moduli.storage;
@@ -225,11 +226,11 @@ class DmaReader {
 
   /// Returns the temperature (K) that the lines above a block state. Throws InputError where they
   /// state none.
-  double temperatureAbove(const TextBlock& block, bool isReduced) {
+  double temperatureAbove(const DmaBlock& in, bool isReduced) {
     std::optional<HeaderTemperature>& stated = file_.facts.stated;
-    stated = statedTemperature({table_, block}, name_, choices_.temperatureUnit, isReduced);
+    stated = statedTemperature(in, name_, choices_.temperatureUnit, isReduced);
     if (stated) return stated->kelvin;
-    if (const auto line = distrustedTemperature({table_, block}))
+    if (const auto line = distrustedTemperature(in))
       throw InputError(
           name_, "temperature",
           message("is stated nowhere; say at which the moduli were measured with --temperature, "

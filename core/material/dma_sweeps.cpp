@@ -85,11 +85,11 @@ std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const
 }
 
 /// Applies the columns that the user names, which override those that were found.
-void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& columns) {
+void addChosen(const DmaBlock& in, SweepColumns& columns) {
   for (const auto& [quantity, choice, option] : kChosenColumns)
-    if (const std::string& wanted = choices.*choice; !wanted.empty())
-      columns.indices[quantity] = columnNamed(block, wanted, option);
-  if (!choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
+    if (const std::string& wanted = in.choices.*choice; !wanted.empty())
+      columns.indices[quantity] = columnNamed(in.block, wanted, option);
+  if (!in.choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
 }
 
 /// Distributes the columns: each belongs to the first sweep of its temperature and frequency that
@@ -192,24 +192,24 @@ std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& 
   return columns.size() > kMax ? list + ", \u2026" : list;
 }
 
-[[noreturn]] void refuseWithoutTemperatures(const TextBlock& block, const std::string& fileName,
+[[noreturn]] void refuseWithoutTemperatures(const DmaBlock& in,
                                             const std::vector<SweepColumns>& sweeps) {
   std::vector<std::size_t> columns;
   for (const SweepColumns& sweep : sweeps)
     for (const auto& [quantity, column] : sweep.indices)
       if (isModulus(quantity)) columns.push_back(column);
   std::ranges::sort(columns);
-  throw InputError(fileName, "temperature",
+  throw InputError(in.fileName, "temperature",
                    message("is not stated for each of the sweeps side by side in the columns {}; "
                            "write it into the names, as in \"G' 20C (MPa)\", or once for each "
                            "sweep into a row above them",
-                           listColumns(block, columns)));
+                           listColumns(in.block, columns)));
 }
 
 /// Throws InputError where a column of moduli would be ignored: its owner wants it used, or at
 /// least wants to know that it is not.
-void refuseLeftovers(const TextBlock& block, const std::string& fileName,
-                     const std::vector<DmaColumn>& found, const std::vector<SweepColumns>& sweeps) {
+void refuseLeftovers(const DmaBlock& in, const std::vector<DmaColumn>& found,
+                     const std::vector<SweepColumns>& sweeps) {
   std::vector<std::size_t> unused;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool isUsed = std::ranges::any_of(sweeps, [i](const SweepColumns& sweep) {
@@ -219,11 +219,11 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
     if (isModulus(found[i].quantity) && !isUsed) unused.push_back(i);
   }
   if (!unused.empty())
-    throw InputError(fileName, "",
+    throw InputError(in.fileName, "",
                      message("has columns of moduli that belong to no sweep with a frequency and "
                              "both moduli: {}; take them out, or say with --storage-column and "
                              "--loss-column which are meant",
-                             listColumns(block, unused)));
+                             listColumns(in.block, unused)));
 }
 
 bool hasWord(const DmaColumn& column, const WordList& words) {
@@ -281,28 +281,27 @@ void dropStiffnesses(const TextBlock& block, std::vector<DmaColumn>& found) {
 /// Refuses names of moduli with words that are not understood, and two columns that claim the same
 /// quantity under different names: which one is meant is for the user to say. Equal names are
 /// sweeps side by side.
-void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
-                          const DmaChoices& choices, std::vector<DmaColumn>& found) {
+void refuseUnclearColumns(const DmaBlock& in, std::vector<DmaColumn>& found) {
   const auto has = [&found](DmaQuantity quantity) {
     return std::ranges::any_of(found, [quantity](const DmaColumn& column) {
       return column.quantity == quantity && column.unknown.empty();
     });
   };
-  const bool hasBoth = (has(Storage) || !choices.storageColumn.empty()) &&
-                       (has(Loss) || !choices.lossColumn.empty());
+  const bool hasBoth = (has(Storage) || !in.choices.storageColumn.empty()) &&
+                       (has(Loss) || !in.choices.lossColumn.empty());
   // A table without any frequency is no table of moduli.
   const bool isStated =
-      statedFrequency(block) || std::ranges::any_of(found, [](const DmaColumn& column) {
+      statedFrequency(in.block) || std::ranges::any_of(found, [](const DmaColumn& column) {
         return column.frequency.has_value();
       });
-  if (!has(Frequency) && !has(ReducedFrequency) && choices.frequencyColumn.empty() && !isStated)
+  if (!has(Frequency) && !has(ReducedFrequency) && in.choices.frequencyColumn.empty() && !isStated)
     return;
   for (std::size_t i = 0; i < found.size(); ++i) {
     DmaColumn& column = found[i];
     const DmaQuantity quantity = column.quantity;
     if (!isMeasured(quantity) && quantity != Temperature) continue;
     const bool isNeeded = quantity == Storage || quantity == Loss || quantity == Temperature;
-    const bool isChosen = !(choices.*chosenColumn(quantity).choice).empty();
+    const bool isChosen = !(in.choices.*chosenColumn(quantity).choice).empty();
     if (isChosen || (!isNeeded && hasBoth)) {
       if (!column.unknown.empty()) column.quantity = None;
       continue;
@@ -312,21 +311,21 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
       if (j == i || other.quantity != quantity || other.temperature != column.temperature ||
           other.frequency != column.frequency ||
           (other.words == column.words && other.unknown == column.unknown &&
-           lowerCase(block.columns[i].name) == lowerCase(block.columns[j].name)))
+           lowerCase(in.block.columns[i].name) == lowerCase(in.block.columns[j].name)))
         continue;
       // The same words in other signs: G' and G\u2032.
       if (other.words == column.words && other.unknown.empty() && column.unknown.empty() &&
-          block.columns[i].name.find('/') == std::string::npos &&
-          block.columns[i].name.find('(') == std::string::npos)
+          in.block.columns[i].name.find('/') == std::string::npos &&
+          in.block.columns[i].name.find('(') == std::string::npos)
         continue;
       throw InputError(
-          fileName, block.label(std::min(i, j)),
+          in.fileName, in.block.label(std::min(i, j)),
           message("and {} seem to be the same quantity; take one of them out, or say "
                   "with {} which is meant",
-                  shortened(block.label(std::max(i, j))), chosenColumn(quantity).option));
+                  shortened(in.block.label(std::max(i, j))), chosenColumn(quantity).option));
     }
     if (!column.unknown.empty())
-      throw InputError(fileName, block.label(i),
+      throw InputError(in.fileName, in.block.label(i),
                        message("'{}' is not understood beside the name of a modulus; name the "
                                "column after the modulus alone, or say with {} which is meant",
                                shortened(column.unknown), chosenColumn(quantity).option));
@@ -343,24 +342,24 @@ bool SweepColumns::isComplete() const {
   return hasModuli() && (has(Frequency) || has(ReducedFrequency) || frequency);
 }
 
-std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
-                                     const DmaChoices& choices, std::string& leftOut) {
+std::vector<SweepColumns> findSweeps(const DmaBlock& in, std::string& leftOut) {
   std::vector<DmaColumn> found;
-  for (const TextColumn& column : block.columns)
+  for (const TextColumn& column : in.block.columns)
     found.push_back(column.isText ? DmaColumn{} : dmaColumn(column));
   chooseForm(found);
-  const ModulusKind kind = kindToRead(found, choices);
+  const ModulusKind kind = kindToRead(found, in.choices);
   for (DmaColumn& column : found)
     if (isModulus(column.quantity) && !isOfKind(column, kind)) column.quantity = None;
-  dropTimes(block, found);
-  dropStiffnesses(block, found);
+  dropTimes(in.block, found);
+  dropStiffnesses(in.block, found);
   dropSetTemperatures(found);
-  refuseUnclearColumns(block, fileName, choices, found);
+  refuseUnclearColumns(in, found);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i].isLeftOut) appendItem(leftOut, shortened(block.label(i)));
-  const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
-                          choices.magnitudeColumn + choices.phaseColumn)
-                             .empty();
+    if (found[i].isLeftOut) appendItem(leftOut, shortened(in.block.label(i)));
+  const bool isChosen =
+      !(in.choices.storageColumn + in.choices.lossColumn + in.choices.lossTangentColumn +
+        in.choices.magnitudeColumn + in.choices.phaseColumn)
+           .empty();
   const bool hasTemperatures = std::ranges::any_of(found, [](const DmaColumn& column) {
     return column.temperature || column.quantity == Temperature;
   });
@@ -368,11 +367,11 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   const auto isWide = [&] {
     return !isChosen && std::ranges::count_if(sweeps, &SweepColumns::hasModuli) > 1;
   };
-  if (isWide() && !hasTemperatures && !giveTemperatures(block, found, sweeps))
-    refuseWithoutTemperatures(block, fileName, sweeps);
+  if (isWide() && !hasTemperatures && !giveTemperatures(in.block, found, sweeps))
+    refuseWithoutTemperatures(in, sweeps);
 
   SweepColumns common = sweeps.front();
-  addChosen(block, choices, common);
+  addChosen(in, common);
   if (isWide()) {
     for (SweepColumns& sweep : sweeps) {
       for (const DmaQuantity quantity : {Frequency, ReducedFrequency, Strain})
@@ -394,11 +393,11 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
     sweeps = {common};
   }
   if (!common.has(Frequency) && !common.has(ReducedFrequency))
-    if (const auto stated = statedFrequency(block))
+    if (const auto stated = statedFrequency(in.block))
       for (SweepColumns& sweep : sweeps)
         if (!sweep.frequency) sweep.frequency = stated;
   std::erase_if(sweeps, [](const SweepColumns& sweep) { return !sweep.isComplete(); });
-  if (!sweeps.empty() && !isChosen) refuseLeftovers(block, fileName, found, sweeps);
+  if (!sweeps.empty() && !isChosen) refuseLeftovers(in, found, sweeps);
   return sweeps;
 }
 

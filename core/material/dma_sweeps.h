@@ -10,7 +10,7 @@
 
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
-#include "core/material/dma_file.h"
+#include "core/material/dma_units.h"
 
 namespace asperity {
 
@@ -35,7 +35,6 @@ struct SweepColumns {
 /// InputError where columns of moduli would be left over or are not understood, or sweeps side by
 /// side have no temperature. Adds the names of deviations and set values, which are not read, to
 /// `leftOut`.
-std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
-                                     const DmaChoices& choices, std::string& leftOut);
+std::vector<SweepColumns> findSweeps(const DmaBlock& in, std::string& leftOut);
 
 }  // namespace asperity

@@ -407,27 +407,6 @@ void decideParts(const std::string& name, RawSeries& series, SeriesRows& rows) {
 
 }  // namespace
 
-std::optional<double> timeSize(std::string_view unit) {
-  const std::string word(withoutEnd(lowerCase(unit), "."));
-  if (isOneOf(word, "second seconds sekunde sekunden")) return 1;
-  if (isOneOf(word, "msec millisecond milliseconds")) return 1e-3;
-  if (isOneOf(word, "usec \u00B5sec \u03BCsec microsecond microseconds")) return 1e-6;
-  if (isOneOf(word, "min minute minutes minuten")) return 60;
-  if (isOneOf(word, "hr hrs hour hours stunde stunden")) return 3600;
-  if (isOneOf(word, "d day days tag tage")) return 86400;
-  return unitSize(withoutEnd(unit, "."), "s");
-}
-
-double modulusSize(const std::string& unit, const std::string& name, const std::string& key) {
-  for (const std::string_view text :
-       {std::string_view(unit), withoutBrackets(unit),
-        std::string_view(unit).substr(0, unit.find_first_of(" ,;(["))})
-    if (const auto size = unitSize(text, "Pa")) return *size;
-  throw InputError(
-      name, key,
-      message("has the unit {}, which is not one of {}", shortened(unit), unitNames("Pa")));
-}
-
 std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std::string& name,
                                    const PronyChoices& choices, RawSeries& series) {
   nameBranches(block, name, choices, series);

@@ -78,11 +78,4 @@ struct SeriesRows {
 std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std::string& name,
                                    const PronyChoices& choices, RawSeries& series);
 
-/// Returns the size of a unit of time in s; nothing where it is none.
-std::optional<double> timeSize(std::string_view unit);
-
-/// Returns the size of a unit of modulus in Pa; what stands after it in a header does not count:
-/// "3 MPa (at 20 °C)". Throws InputError (`name`, `key`) where it is none.
-double modulusSize(const std::string& unit, const std::string& name, const std::string& key);
-
 }  // namespace asperity

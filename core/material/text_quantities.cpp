@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <numbers>
 #include <string>
 
+#include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
@@ -126,6 +129,72 @@ std::optional<Unit> temperatureUnit(std::string_view unit) {
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
   return frequencySize(unit.empty() ? std::string_view(isAngular ? "rad/s" : "Hz") : unit,
                        isAngular);
+}
+
+std::optional<double> strainUnit(std::string_view unit) {
+  std::string word = compactName(unit);
+  for (const std::string_view micro : {"\u00B5", "\u03BC"}) replaceAll(word, micro, "u");
+  if (word.empty() || isOneOf(word, "1 m/m mm/mm um/um strain ratio")) return 1;
+  if (isOneOf(word, "% percent pct")) return 1e-2;
+  if (isOneOf(word, "\u2030 mm/m")) return 1e-3;
+  if (isOneOf(word, "ppm um/m ustrain microstrain")) return 1e-6;
+  return {};
+}
+
+std::optional<double> parseStrain(std::string_view text) {
+  const auto quantity = parseQuantity(text);
+  if (!quantity || !(quantity->unit.empty() || quantity->unit == "%")) return {};
+  const double strain = quantity->unit.empty() ? quantity->number : quantity->number / 100;
+  return strain > 0 && std::isfinite(strain) ? std::optional(strain) : std::nullopt;
+}
+
+std::optional<double> viscosityUnit(std::string unit) {
+  replaceAll(unit, ".", " ");  // "Pa.s"
+  if (unit.ends_with("Pas")) unit.insert(unit.size() - 1, " ");
+  return unitSize(unit, "Pa s");
+}
+
+std::optional<double> complianceUnit(std::string_view unit) {
+  std::string inverse;
+  if (const std::size_t stroke = unit.find('/'); stroke != unit.npos) {
+    const std::string_view above = trimmedBlanks(unit.substr(0, stroke));
+    inverse = withoutBrackets(unit.substr(stroke + 1));
+    if (above != "1") inverse += "/" + std::string(above);
+  } else {
+    for (const std::string_view power : WordList("^-1 ^(-1) -1 \u207B\u00B9"))
+      if (unit.ends_with(power)) {
+        inverse = trimmedBlanks(unit.substr(0, unit.size() - power.size()));
+        break;
+      }
+  }
+  const auto size = unitSize(inverse, "Pa");
+  return size ? std::optional(1 / *size) : std::nullopt;
+}
+
+std::optional<double> angleUnit(std::string_view unit) {
+  if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
+  return unitSize(unit, "rad");
+}
+
+std::optional<double> timeSize(std::string_view unit) {
+  const std::string word(withoutEnd(lowerCase(unit), "."));
+  if (isOneOf(word, "second seconds sekunde sekunden")) return 1;
+  if (isOneOf(word, "msec millisecond milliseconds")) return 1e-3;
+  if (isOneOf(word, "usec \u00B5sec \u03BCsec microsecond microseconds")) return 1e-6;
+  if (isOneOf(word, "min minute minutes minuten")) return 60;
+  if (isOneOf(word, "hr hrs hour hours stunde stunden")) return 3600;
+  if (isOneOf(word, "d day days tag tage")) return 86400;
+  return unitSize(withoutEnd(unit, "."), "s");
+}
+
+double modulusSize(const std::string& unit, const std::string& name, const std::string& key) {
+  for (const std::string_view text :
+       {std::string_view(unit), withoutBrackets(unit),
+        std::string_view(unit).substr(0, unit.find_first_of(" ,;(["))})
+    if (const auto size = unitSize(text, "Pa")) return *size;
+  throw InputError(
+      name, key,
+      message("has the unit {}, which is not one of {}", shortened(unit), unitNames("Pa")));
 }
 
 std::optional<TextFrequency> firstFrequency(std::string_view text) {

@@ -1,9 +1,10 @@
 // Temperatures and frequencies in texts, as people write them: "20 \u00B0C", "-20 deg. C", "293 K",
-// "68F", "10 Hz". Pure functions; any thread.
+// "68F", "10 Hz"; and the sizes of the units of tables about rubber. Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +55,30 @@ std::optional<Unit> temperatureUnit(std::string_view unit);
 /// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
 /// rad/s for omega.
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
+
+/// Reads a strain, "1%" or "0.01"; nothing where the text is no number above 0.
+std::optional<double> parseStrain(std::string_view text);
+
+/// Returns one unit of strain as a ratio: 0.01 for "%", 1 for "mm/mm" or no unit; nothing where the
+/// text is none, as "mm".
+std::optional<double> strainUnit(std::string_view unit);
+
+/// Returns one unit of viscosity in Pa s; nothing where the text is none.
+std::optional<double> viscosityUnit(std::string unit);
+
+/// Returns one unit of compliance, "1/MPa" or "mm\u00B2/N", in 1/Pa; nothing where the text is
+/// none.
+std::optional<double> complianceUnit(std::string_view unit);
+
+/// Returns one unit of angle in radians; nothing where the text is none.
+std::optional<double> angleUnit(std::string_view unit);
+
+/// Returns the size of a unit of time in s; nothing where it is none.
+std::optional<double> timeSize(std::string_view unit);
+
+/// Returns the size of a unit of modulus in Pa; what stands after it in a header does not count:
+/// "3 MPa (at 20 °C)". Throws InputError (`name`, `key`) where it is none.
+double modulusSize(const std::string& unit, const std::string& name, const std::string& key);
 
 /// A frequency with its unit in a text.
 struct TextFrequency {
