@@ -878,7 +878,8 @@ TEST(FrictionData, VelocitiesAboveColumnsOfFriction) {
        {"load (N);mu 1 mm/s;mu 10 mm/s\n", "load (N);mu v=1 mm/s;mu v=10 mm/s\n",
         "Fn (N);COF (1 mm/s);COF (10 mm/s)\n",
         "Last (N);Reibwert bei 1 mm/s;Reibwert bei 10 mm/s\n", "COF\nFn (N);1 mm/s;10 mm/s\n",
-        "COF of NR\nFn (N);v = 1 mm/s;v = 10 mm/s\n", "COF at velocity (mm/s)\nFn (N);1;10\n",
+        "COF of NR\nFn (N);v = 1 mm/s;v = 10 mm/s\n",
+        "Coefficient of friction at velocity (mm/s)\nFn (N);1;10\n",
         "mu\nFn (N) \\ v (mm/s);1;10\n"}) {
     SCOPED_TRACE(names);
     const FrictionData data = parsed(names + rows);
@@ -888,7 +889,8 @@ TEST(FrictionData, VelocitiesAboveColumnsOfFriction) {
     EXPECT_DOUBLE_EQ(data.points[1].normalForce, 5);
     EXPECT_DOUBLE_EQ(data.points[2].velocity, 0.001);
     EXPECT_DOUBLE_EQ(data.points[2].normalForce, 10);
-    EXPECT_EQ(data.points[2].row, 2);
+    EXPECT_EQ(data.points[1].row, data.points[0].row);
+    EXPECT_EQ(data.points[2].row, data.points[0].row + 1);
     EXPECT_EQ(data.notes.size(), 1U);
   }
   const FrictionData warm = parsed(
