@@ -61,13 +61,14 @@ void ChoiceBox::setSpoken(const QString& name, const QString& description) {
 }
 
 void ChoiceBox::nameList() {
+  isListNamed_ = true;
   // view() would make the list, which takes longer than the box.
   if (auto* list = findChild<QAbstractItemView*>()) list->setAccessibleName(accessibleName());
 }
 
 void ChoiceBox::childEvent(QChildEvent* event) {
   QComboBox::childEvent(event);
-  if (event->polished()) nameList();
+  if (event->polished() && isListNamed_) nameList();
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent* event) {
