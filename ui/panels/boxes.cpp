@@ -61,12 +61,14 @@ void ChoiceBox::setSpoken(const QString& name, const QString& description) {
 }
 
 void ChoiceBox::nameList() {
+  isListNamed_ = true;
   // view() would make the list, which takes longer than the box.
   if (auto* list = findChild<QAbstractItemView*>()) list->setAccessibleName(accessibleName());
 }
 
 void ChoiceBox::childEvent(QChildEvent* event) {
   QComboBox::childEvent(event);
+  if (!isListNamed_) return;
   // A screen reader may ask for the list before it is shown; it is not whole yet when it is added.
   if (event->added()) QMetaObject::invokeMethod(this, &ChoiceBox::nameList, Qt::QueuedConnection);
   if (event->polished()) nameList();

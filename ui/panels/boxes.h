@@ -42,6 +42,7 @@ class ChoiceBox : public QComboBox {
 
  private:
   QString shown_;
+  bool isListNamed_ = false;  // whether nameList() was called
 };
 
 class SpinBox : public QSpinBox {

@@ -260,7 +260,7 @@ TEST_F(SurfaceImportTest, EveryWidgetOfThePageIsStyledOnce) {
   const QList<QWidget*> widgets = page_->findChildren<QWidget*>();
   int all = 0;
   for (const QWidget* widget : widgets) all += changes.of(widget);
-  EXPECT_GT(widgets.size(), 150);
+  EXPECT_GT(widgets.size(), 120);
   EXPECT_LT(all, 1.25 * static_cast<double>(widgets.size()));
 }
 
