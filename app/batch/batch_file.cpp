@@ -31,7 +31,7 @@ constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes of the largest 
 constexpr int kDeepest = 12;
 constexpr std::size_t kMaxItems = 1000;
 
-struct Sweep {
+struct KeySweep {
   std::string key;
   std::vector<std::string> values;
 };
@@ -61,14 +61,14 @@ std::vector<std::string> readSweepRange(const Parameter& row, const Json& spec,
 
 /// Reads the sweeps of an entry. An error in a sweep names the batch's key, which begins with
 /// "sweep".
-std::vector<Sweep> readSweeps(const Json& entry) {
-  std::vector<Sweep> sweeps;
+std::vector<KeySweep> readSweeps(const Json& entry) {
+  std::vector<KeySweep> sweeps;
   const auto found = entry.find("sweep");
   if (found == entry.end()) return sweeps;
   if (!found->is_object()) refuseMember("sweep", "needs an object of keys");
   for (const auto& [key, values] : found->items()) {
     const std::string where = "sweep." + shortened(key);
-    Sweep sweep{key, {}};
+    KeySweep sweep{key, {}};
     try {
       const Parameter& row = knownParameter(key);
       if (values.is_array())
@@ -114,11 +114,11 @@ class Entry {
     if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
     sweeps_ = readSweeps(json_);
-    for (const Sweep& sweep : sweeps_)
+    for (const KeySweep& sweep : sweeps_)
       if (json_.contains("set") && json_["set"].contains(sweep.key))
         refuseMember(sweep.key, "is in set and in sweep; one of them is enough");
     std::size_t count = 1;
-    for (const Sweep& sweep : sweeps_) {
+    for (const KeySweep& sweep : sweeps_) {
       count *= sweep.values.size();
       if (count > kMaxItems)
         refuseMember("sweep", fmt::format("gives more than {} scenes", kMaxItems));
@@ -141,7 +141,7 @@ class Entry {
     BatchItem item;
     item.name = count == 1 ? name_ : fmt::format("{}_{:0{}}", name_, number + 1, digits(count));
     std::vector<std::string> assignments = set_;
-    for (std::size_t left = count; const Sweep& sweep : sweeps_) {
+    for (std::size_t left = count; const KeySweep& sweep : sweeps_) {
       left /= sweep.values.size();
       const std::string& value = sweep.values[number / left % sweep.values.size()];
       item.varied.emplace_back(sweep.key, value);
@@ -178,7 +178,7 @@ class Entry {
   std::filesystem::path folder_;
   std::string show_;
   std::vector<std::string> set_;
-  std::vector<Sweep> sweeps_;
+  std::vector<KeySweep> sweeps_;
 };
 
 /// Returns what a file of the whole batch contains; it is empty where the batch writes no such
