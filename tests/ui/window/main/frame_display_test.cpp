@@ -44,7 +44,7 @@ TEST_F(FrameDisplayTest, ARefusedSceneIsNoWorkAndItsContactIsDimmed) {
   EXPECT_FALSE(areReadingsFaded());
 }
 
-/// A line of 2^19 elements takes long enough on any machine, and leaving it does not.
+/// A line of 2^21 elements takes its time on any machine, and leaving it does not.
 TEST_F(FrameDisplayTest, WhatIsOfTheSceneBeforeSaysSo) {
   ASSERT_TRUE(waitFor([this] { return session().friction().progress() >= 1; }));
   ASSERT_TRUE(waitForFrame());
@@ -53,7 +53,7 @@ TEST_F(FrameDisplayTest, WhatIsOfTheSceneBeforeSaysSo) {
   const auto marker = [this] { return *session().friction().marker(); };
   EXPECT_FALSE(marker().isFaded);
   Scene scene = session().scene();
-  scene.surface.elements = 524288;
+  scene.surface.elements = 2097152;
   window_.document().edit(scene);
   ASSERT_TRUE(waitFor([&] { return veil.isVisible(); }));
   EXPECT_EQ(veil.size(), window_.canvas().size());
