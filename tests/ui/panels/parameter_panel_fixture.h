@@ -47,6 +47,7 @@ class ParameterPanelTest : public testing::Test {
   ValueEntry& entry(const QString& key) { return *control<ValueEntry>("entry:" + key); }
   /// The remark of this kind below a row; empty where there never was one.
   QString remark(const QString& kind, const QString& key) {
+    EXPECT_NE(findParameter(key.toStdString()), nullptr) << key.toStdString();
     const auto* label = control<QLabel>(kind + ":" + key);
     return label ? label->text() : QString();
   }
