@@ -89,10 +89,6 @@ std::optional<Message> pressureNote(const Scene& scene) {
   return pressureNote({&point, 1}, scene.load.width);
 }
 
-double totalMu(const CurvePoint& point) {
-  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
-}
-
 bool areContactsFew(double contactSpots, double contactFraction) {
   constexpr double kGrownTogether = 0.5;
   return std::isgreater(contactSpots, 0) && std::isless(contactSpots, kFewContacts) &&

@@ -1,6 +1,7 @@
 #include "core/friction/curve_quantity.h"
 
 #include <array>
+#include <cmath>
 
 namespace asperity {
 namespace {
@@ -30,6 +31,10 @@ constexpr std::array<QuantityEntry, 9> kEntries{{
 }};
 
 }  // namespace
+
+double totalMu(const CurvePoint& point) {
+  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
+}
 
 std::span<const QuantityEntry> quantityEntries() {
   return kEntries;

@@ -55,7 +55,6 @@ printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "CMAKE_CXX_COMPILER:STRING=/u
   "ASPERITY_TESTS:BOOL=${*##*TESTS=}" \
   >".build/$2/CMakeCache.txt"
 END
-  stand_in clang++-14 <<<''
   stand_in ninja <<'END'
 if [[ $1 == -C ]]; then
   if [[ -e $2/fresh ]]; then printf 'ninja: no work to do.\n'; else printf '[0%%] Building\n'; fi
