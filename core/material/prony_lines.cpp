@@ -115,8 +115,9 @@ NamedNumber namedNumber(std::string_view name, std::string_view number, std::str
       named.doubt = Doubt::Point;
   }
   const std::size_t mark = number.find_first_of(".,");
-  named.hasDecimalComma = quantity && named.doubt == Doubt::None && mark + 1 < number.size() &&
-                          number[mark] == ',' && isDigit(number[mark + 1]);
+  named.hasDecimalComma = quantity && named.doubt == Doubt::None && mark != number.npos &&
+                          mark + 1 < number.size() && number[mark] == ',' &&
+                          isDigit(number[mark + 1]);
   return named;
 }
 

@@ -420,6 +420,12 @@ TEST(PronyLines, ArmsInCommentsCountWhereThereAreNoOthers) {
       readSeries("# G_inf = 1 MPa\nG1 = 2 MPa, tau1 = 0.1 s\nG2 = 1 MPa, tau2 = 10 s\n"));
 }
 
+// Found by random input: the comma before a whole number was taken for its decimal mark.
+TEST(PronyLines, CommasBetweenFieldsAreNoDecimalMarks) {
+  expectSeriesNearly(
+      readSeries("G_inf,1.000,MPa\nG1,2.000,MPa\ntau1,0.1,s\nG2,1.000,MPa\ntau2,10,s\n"));
+}
+
 TEST(PronyLines, PointsBesideDecimalCommasMaySeparateThousands) {
   const std::string rest = "tau1 = 0,1 s\nG2 = 1 MPa\ntau2 = 10 s\n";
   EXPECT_THAT(
