@@ -3,6 +3,7 @@
 // values; one thread at a time.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -73,7 +74,9 @@ struct CurvePoint {
 };
 
 /// Returns friction as it is measured: of deformation and interface together.
-double totalMu(const CurvePoint& point);
+inline double totalMu(const CurvePoint& point) {
+  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
+}
 
 /// Returns how the nominal pressures of some points become forces on one period, by which width:
 /// without a width (m) of the load it is the period, and results depend on it. Nothing where no

@@ -1,7 +1,6 @@
 #include "core/friction/curve_quantity.h"
 
 #include <array>
-#include <cmath>
 
 namespace asperity {
 namespace {
@@ -31,10 +30,6 @@ constexpr std::array<QuantityEntry, 9> kEntries{{
 }};
 
 }  // namespace
-
-double totalMu(const CurvePoint& point) {
-  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
-}
 
 std::span<const QuantityEntry> quantityEntries() {
   return kEntries;

@@ -56,7 +56,7 @@ class SceneThumbnails : public QObject {
   void changed(const QString& scene);
 
  private:
-  void request(const QString& scene);
+  void request(const QString& name);
 
   const Drawing draw_;
   const QString folder_;
