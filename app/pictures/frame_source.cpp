@@ -14,8 +14,8 @@ namespace {
 constexpr std::int64_t kDefaultFrames = 60;
 constexpr double kDefaultFps = 25;
 constexpr double kMaxFrames = 1e6;
-constexpr std::int64_t kSamples = 200;  // minimum number of samples over a motion
-constexpr double kMaxPeriods = 1e9;     // maximum distance of sliding, in periods
+constexpr std::int64_t kSamples = 200;   // minimum number of samples over a motion
+constexpr double kMaxSlidPeriods = 1e9;  // maximum distance of sliding, in periods
 
 double chosenFramesPerSecond(const TimeArguments& arguments) {
   return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kDefaultFps;
@@ -54,10 +54,10 @@ void checkMoment(const Scene& scene, const TimeArguments& arguments, double leng
                 printedQuantity(scene.sliding.duration, "s", 6)));
   if (!isSteady) return;
   const double slid = arguments.slid ? *arguments.slid : *arguments.at * scene.sliding.velocity;
-  if (!(std::abs(slid) <= kMaxPeriods * length))
+  if (!(std::abs(slid) <= kMaxSlidPeriods * length))
     throw InputError("", option,
                      message("{} slid are more than {} periods", printedQuantity(slid, "m"),
-                             printedNumber(kMaxPeriods)));
+                             printedNumber(kMaxSlidPeriods)));
 }
 
 FramePlan steadyPlan(double period, const TimeArguments& arguments, bool single) {

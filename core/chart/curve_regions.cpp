@@ -63,9 +63,9 @@ Known knownPart(const Scene& scene, std::span<const CurvePoint> points) {
 constexpr double kLinear = 0.9, kFlat = 0.1;
 
 /// Collects regions from the curve's first velocity on, each beginning where the previous one ends.
-class Regions {
+class RegionSequence {
  public:
-  explicit Regions(const Known& known)
+  explicit RegionSequence(const Known& known)
       : begin_(known.velocities.front()), end_(known.velocities.back()) {}
 
   /// Adds a region, which ends at the border or, if that is not on the curve, at the curve's end.
@@ -87,7 +87,7 @@ std::vector<CurveRegion> splitIntoRegions(const Known& known) {
   const RegionBorders borders = regionBorders(known.velocities, known.mu);
   const std::size_t last = known.size() - 1;
   const CurveMaximum top = curveMaximum(known.velocities, known.mu);
-  Regions regions(known);
+  RegionSequence regions(known);
   if (top.velocity == known.velocities[0] && known.exponent(0) < -kFlat) {
     regions.add(kIV, known.velocities[last]);
     return regions.take();

@@ -214,14 +214,14 @@ struct RegionCut {
 };
 
 /// The regions of the friction curve at each value of the other parameter.
-struct Regions {
+struct RegionCuts {
   /// One line for each border, in the order of regions; empty where no curve shows it.
   std::array<std::vector<DiagramPoint>, 3> borders;
   std::array<std::vector<RegionCut>, 4> cuts;
 };
 
-Regions cutRegions(const RisingMap& map, bool velocityIsX) {
-  Regions regions;
+RegionCuts cutRegions(const RisingMap& map, bool velocityIsX) {
+  RegionCuts regions;
   const std::vector<double>& velocities = velocityIsX ? map.x : map.y;
   const std::vector<double>& others = velocityIsX ? map.y : map.x;
   const auto point = [&](double velocity, double other) {
@@ -303,7 +303,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
   const bool isLogarithmic =
       (isX ? given.x : given.y).range.isLogarithmic;  // which the rule of regions needs
   if ((isX || isY) && isLogarithmic) {
-    Regions regions = cutRegions(map, isX);
+    RegionCuts regions = cutRegions(map, isX);
     bool isAny = false;
     for (std::vector<DiagramPoint>& border : regions.borders) {
       if (std::ranges::count_if(border, isFinite) < 2) continue;

@@ -113,11 +113,11 @@ constexpr UnitSystem kUnitSystems[] = {
 /// Returns whether a density and the modulus of a sudden deformation are those of a rubber in a
 /// system of units.
 bool fitsRubber(const UnitSystem& system, double density, double glassy) {
-  constexpr double kLightest = 700, kHeaviest = 3000;  // kg/m3
-  constexpr double kSoftest = 3e4, kStiffest = 3e10;   // Pa
+  constexpr double kLightest = 700, kHeaviest = 3000;           // kg/m3
+  constexpr double kSoftestSolid = 3e4, kStiffestSolid = 3e10;  // Pa
   const double kilograms = density * system.densitySize, pascals = glassy * system.modulusSize;
-  return kilograms >= kLightest && kilograms <= kHeaviest && pascals >= kSoftest &&
-         pascals < kStiffest;
+  return kilograms >= kLightest && kilograms <= kHeaviest && pascals >= kSoftestSolid &&
+         pascals < kStiffestSolid;
 }
 
 /// Returns the only system of units in which the numbers are those of a rubber, and in which moduli

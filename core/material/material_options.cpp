@@ -24,9 +24,9 @@ constexpr NamedChoices<std::optional<ShiftKind>, 4> kShifts{
      {shiftName(ShiftKind::Wlf), ShiftKind::Wlf},
      {shiftName(ShiftKind::Arrhenius), ShiftKind::Arrhenius},
      {shiftName(ShiftKind::Table), ShiftKind::Table}}};
-constexpr NamedChoices<ModulusKind, 3> kModuli{{{"auto", ModulusKind::Unknown},
-                                                {"shear", ModulusKind::Shear},
-                                                {"tension", ModulusKind::Tension}}};
+constexpr NamedChoices<ModulusKind, 3> kModulusKinds{{{"auto", ModulusKind::Unknown},
+                                                      {"shear", ModulusKind::Shear},
+                                                      {"tension", ModulusKind::Tension}}};
 
 struct Option {
   std::string name, value;
@@ -99,8 +99,10 @@ constexpr std::array<Row, 26> kRows{{
     {"--vertical-shifts", [](const Option& o, MaterialChoices& c) { c.isVertical = isTrue(o); }},
     {"--shift",
      [](const Option& o, MaterialChoices& c) { c.shift = chosen(kShifts, o.value, o.name); }},
-    {"--modulus", [](const Option& o,
-                     MaterialChoices& c) { c.columns.modulus = chosen(kModuli, o.value, o.name); }},
+    {"--modulus",
+     [](const Option& o, MaterialChoices& c) {
+       c.columns.modulus = chosen(kModulusKinds, o.value, o.name);
+     }},
     {"--poisson-ratio",
      [](const Option& o, MaterialChoices& c) { c.columns.poissonRatio = numberWithin(o, 0, 0.5); }},
     {"--temperature",

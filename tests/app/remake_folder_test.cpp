@@ -42,7 +42,7 @@ std::string moduli() {
   return text;
 }
 
-constexpr const char* kStudy =
+constexpr const char* kStudyOfScene =
     R"({"schema":"asperity-study/1","title":"Small","scene":"s.json","chunk":8,)"
     R"("set":{"ensemble.realizations":1},"space":{"load.normal_force":{"from":0.001,"to":1},)"
     R"("surface.hurst":{"from":0.3,"to":0.9}},"sampling":"saltelli","samples":8,"seed":1,)"
@@ -54,7 +54,7 @@ class RemakeFolderTest : public ProgramTest {
     ProgramTest::SetUp();
     program.folder.write("data.csv", kFriction);
     program.folder.write("dma.csv", moduli());
-    program.folder.write("study.json", kStudy);
+    program.folder.write("study.json", kStudyOfScene);
     // Temporary folders are made here, so that what is left is seen.
     fs::create_directory(program.folder / "tmp");
   }
@@ -224,7 +224,7 @@ TEST_F(RemakeFolderTest, EveryFileOfAStudyIsTheSameAgain) {
   expectRefused("open w.csv --remake --from away/renamed -o away/renamed", 2,
                 "is also an input file");
   expectRefused("open w.csv --remake --from away --set surface.hurst=0.5", 2, "--set: sets keys");
-  std::string other = kStudy;
+  std::string other = kStudyOfScene;
   program.folder.write("study.json",
                        other.replace(other.find("\"samples\":8"), 11, "\"samples\":4"));
   run("study run study.json -o other --quiet");

@@ -19,13 +19,14 @@ namespace {
 // Depths between the grid (2), the axes (3) and the series (4) of a chart.
 constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
 
-constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
+constexpr double kLargestCurveMark = 8, kSmallestCurveMark = 3;  // pixels across, times the scale
 
 /// Returns the size of a curve's marks at which they do not touch each other.
 double curveMarkSize(const DiagramSeries& series, double width, const ChartStyle& style) {
   const double apart =
       width / static_cast<double>(std::max<std::size_t>(series.points.size(), 2) - 1);
-  return style.scale() * std::clamp(0.84 * apart / style.scale(), kSmallestMark, kMarkSize);
+  return style.scale() *
+         std::clamp(0.84 * apart / style.scale(), kSmallestCurveMark, kLargestCurveMark);
 }
 
 /// Returns a mark with its rim as an image for a QScatterSeries.

@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 // These are in sizes of the font.
-constexpr float kSample = 2.4F, kEntryGap = 0.6F, kRow = 1.5F, kPad = 0.6F, kBetween = 1.4F;
+constexpr float kSampleWidth = 2.4F, kEntryGap = 0.6F, kRow = 1.5F, kPad = 0.6F, kBetween = 1.4F;
 constexpr float kRampLength = 6, kRampHeight = 0.8F;
 constexpr int kBarSteps = 48;
 
@@ -49,7 +49,7 @@ float rampHeight(const DiagramRamp& ramp, float size) {
 }
 
 float entryWidth(const LegendEntry& entry, float size) {
-  return textWidth(entry.name, size) + (entry.hasSample ? (kSample + kEntryGap) * size : 0);
+  return textWidth(entry.name, size) + (entry.hasSample ? (kSampleWidth + kEntryGap) * size : 0);
 }
 
 /// Sets the size of the legend around entries of this size.
@@ -73,7 +73,7 @@ std::vector<float> columnWidths(const Legend& legend) {
   const std::size_t rows = legendRows(legend);
   std::vector<float> widths;
   for (std::size_t i = 0; i < legend.entries.size(); ++i) {
-    if (i % rows == 0) widths.push_back((kSample + kEntryGap) * legend.size);
+    if (i % rows == 0) widths.push_back((kSampleWidth + kEntryGap) * legend.size);
     widths.back() = std::max(widths.back(), entryWidth(legend.entries[i], legend.size));
   }
   return widths;
@@ -109,7 +109,8 @@ void shortenNames(Legend& legend, float width) {
   }
   for (LegendEntry& entry : legend.entries) {
     if (!entry.hasSample || entryWidth(entry, legend.size) <= most) continue;
-    entry.name = elided(entry.name, legend.size, false, most - (kSample + kEntryGap) * legend.size);
+    entry.name =
+        elided(entry.name, legend.size, false, most - (kSampleWidth + kEntryGap) * legend.size);
     legend.isWhole = false;
   }
 }
@@ -134,7 +135,7 @@ void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Dra
                float size) {
   if (!entry.hasSample) return;
   const SeriesStyle& style = entry.style;
-  const float length = kSample * size, y = left.y;
+  const float length = kSampleWidth * size, y = left.y;
   if (style.isBand)
     addRectangle(lines, {left.x, y - 0.36F * size, length, 0.72F * size},
                  withAlpha(style.colour, kBandOpacity));
@@ -239,7 +240,7 @@ void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed
     const float x = box.x + pad + entry.origin.x;
     const float baseline = std::round(top + entry.origin.y + 1.1F * size);
     addSample(lines, marks, entry, {x, baseline - kMiddleOfText * size}, size);
-    const float left = x + (entry.hasSample ? (kSample + kEntryGap) * size : 0);
+    const float left = x + (entry.hasSample ? (kSampleWidth + kEntryGap) * size : 0);
     addLabel(list, entry.name, {left, baseline}, size, TextAnchor::Left,
              entry.hasSample ? theme.text : theme.faintText);
   }

@@ -35,7 +35,7 @@ DrawList emptyList(const DiagramOptions& options) {
 /// would lose much of its height, or names of its legend, stays.
 std::vector<DiagramPanel> withCommonTops(const std::vector<DiagramPanel>& panels,
                                          std::size_t columns) {
-  constexpr float kMin = 0.6F;  // of the height
+  constexpr float kMinHeight = 0.6F;  // of the height
   std::vector<DiagramPanel> aligned;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     float top = 0;
@@ -45,7 +45,7 @@ std::vector<DiagramPanel> withCommonTops(const std::vector<DiagramPanel>& panels
     DiagramPanel lowered = panels[i];
     if (lowered.frame().y < top) lowered.lowerTo(top);
     const bool isAsGood = lowered.frame().y == top &&
-                          lowered.frame().height >= kMin * panels[i].frame().height &&
+                          lowered.frame().height >= kMinHeight * panels[i].frame().height &&
                           (lowered.hasWholeLegend() || !panels[i].hasWholeLegend());
     aligned.push_back(isAsGood ? lowered : panels[i]);
   }
@@ -156,10 +156,11 @@ void addMarker(Diagram& diagram) {
 DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options) {
   DiagramSheet sheet = translated(english);
   // Letters of a given size need panels of a width that holds their legends.
-  constexpr float kNarrowest = 26;  // letters
+  constexpr float kNarrowestPanel = 26;  // letters
   const float letters = options.format.fontSize;
   if (letters > 0) {
-    const int most = static_cast<int>(static_cast<float>(options.width) / (kNarrowest * letters));
+    const int most =
+        static_cast<int>(static_cast<float>(options.width) / (kNarrowestPanel * letters));
     if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
     shareLegend(sheet);
   }
@@ -171,12 +172,12 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
 /// and leave the frames nearly as high. Only strips, several above a common axis, are so low.
 bool areBetterAbove(const DiagramSheet& sheet, const std::vector<DiagramPanel>& upright,
                     const std::vector<DiagramPanel>& above) {
-  constexpr std::size_t kStrips = 3;
-  constexpr float kMin = 0.8F;  // of the height
-  if (!hasCommonAxis(sheet) || sheet.diagrams.size() < kStrips) return false;
+  constexpr std::size_t kFewestStrips = 3;
+  constexpr float kMinHeight = 0.8F;  // of the height
+  if (!hasCommonAxis(sheet) || sheet.diagrams.size() < kFewestStrips) return false;
   if (std::ranges::all_of(upright, &DiagramPanel::hasTitleInWords)) return false;
   for (std::size_t i = 0; i < upright.size(); ++i)
-    if (above[i].frame().height < kMin * upright[i].frame().height) return false;
+    if (above[i].frame().height < kMinHeight * upright[i].frame().height) return false;
   return true;
 }
 

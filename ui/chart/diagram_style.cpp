@@ -50,7 +50,7 @@ Rgba fieldColour(double t) {
 
 namespace {
 
-constexpr float kRing = 1.9F;  // relative to the other marks' size
+constexpr float kRingSize = 1.9F;  // relative to the other marks' size
 constexpr int kRingSides = 32;
 
 void addRing(DrawLayer& layer, DrawPoint at, float size, const Rgba& colour) {
@@ -99,7 +99,7 @@ std::vector<DrawPoint> markCorners(SeriesMark mark, DrawPoint at, float size) {
 }
 
 float markWidth(SeriesMark mark, float size) {
-  return mark == SeriesMark::Ring ? kRing * size : size;
+  return mark == SeriesMark::Ring ? kRingSize * size : size;
 }
 
 void addMark(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, const Rgba& colour) {
@@ -127,8 +127,8 @@ void addMarkRim(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, flo
 namespace {
 
 // These are in units.
-constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F;
-constexpr float kMark = 7.2F, kSmallestMark = 3.6F;
+constexpr float kCurveWidth = 2, kRampCurveWidth = 1.7F, kTheoryWidth = 1.4F;
+constexpr float kLargestMark = 7.2F, kSmallestMark = 3.6F;
 // These are in line widths.
 constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
 
@@ -164,15 +164,16 @@ std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes
       next = before;
     }
     if (series.isFaded) style.colour = mix(theme.background, style.colour, kFadedOpacity);
-    const float usual = sizes.curve > 0 ? sizes.curve / kCurve : sizes.unit;
-    style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * usual;
+    const float usual = sizes.curve > 0 ? sizes.curve / kCurveWidth : sizes.unit;
+    style.width = (series.isTheory ? kTheoryWidth : onRamp ? kRampCurveWidth : kCurveWidth) * usual;
     style.stroke = series.stroke;
     // Series that share a colour have different strokes.
     if (next > kDistinctColours && series.colour < 0 && style.stroke == SeriesStroke::Solid)
       style.stroke = SeriesStroke::Dashed;
     style.mark = series.mark;
     const float apart = pixels / static_cast<float>(series.points.size() + 1);
-    style.markSize = std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kMark * sizes.unit);
+    style.markSize =
+        std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kLargestMark * sizes.unit);
     style.isBand = series.isBand;
     style.hasBars = hasErrorBars(series);
     styles.push_back(style);

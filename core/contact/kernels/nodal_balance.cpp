@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxNodalPasses = 400;
 constexpr int kPassesBeforeZero = 12;
-constexpr double kRounding = 1e-14;  // relative; closer depths are one edge
+constexpr double kRoundingOfDepth = 1e-14;  // relative; closer depths are one edge
 
 /// Returns the combination with this share of `upper` and the rest of `lower`.
 PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
@@ -144,7 +144,7 @@ void NodalSearch::chooseNext() {
   if (differing == 0 && passes_ < kMaxNodalPasses) return ask(Stage::Answer, straightTo(upper_));
   // The ends are neighbouring numbers except for rounding: the element that enters between them is
   // on the edge.
-  const bool neighbours = upper_.depth - lower_.depth <= kRounding * upper_.depth;
+  const bool neighbours = upper_.depth - lower_.depth <= kRoundingOfDepth * upper_.depth;
   if (neighbours || upper_.depth <= 0 || passes_ >= kMaxNodalPasses) return askAround(upper_.depth);
   // Elements on the lowest level of the line are loaded at any depth: the bracket cannot shrink.
   if (lower_.depth < 0 && passes_ >= kPassesBeforeZero) return ask(Stage::Narrow, 0);
@@ -156,7 +156,7 @@ void NodalSearch::chooseNext() {
 void NodalSearch::takeThreshold(const NodalState& found) {
   upper_ = found;
   const double edge = found.threshold;
-  const double slack = kRounding * found.depth;
+  const double slack = kRoundingOfDepth * found.depth;
   if (!(edge > lower_.depth - slack && edge <= found.depth + slack)) return halve();
   const double straight = straightTo(found);
   if (straight >= edge) return ask(Stage::Answer, straight);
@@ -178,7 +178,7 @@ void NodalSearch::halve() {
 /// nothing better exists, and the two move apart.
 void NodalSearch::askAround(double edge) {
   edge_ = edge;
-  reach_ = kRounding;
+  reach_ = kRoundingOfDepth;
   ask(Stage::Above, edge_ * (1 + reach_));
 }
 

@@ -8,16 +8,13 @@
 #include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "tests/core/error_from.h"
+#include "tests/core/small_scene.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
-
-std::string errorOf(const std::string& json, const std::vector<std::string>& assignments = {}) {
-  return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
-}
 
 TEST(SceneFile, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(readScene("{}", "s.json"), Scene{});
@@ -50,10 +47,10 @@ TEST(SceneFile, EveryMotionReadsBackFromItsOwnText) {
   const Scene back =
       readScene("{}", "s.json", {}, {"sliding.kind=step", "sliding.velocity_after=-3"});
   EXPECT_EQ(readScene(writeScene(back), "t.json").sliding.velocityAfter, -3);
-  EXPECT_THAT(errorOf(R"({"sliding":{"duration":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"sliding":{"duration":1}})"),
               HasSubstr("sliding.duration: has no meaning for sliding.kind steady; it belongs to "
                         "start, step, oscillation, reversal"));
-  EXPECT_THAT(errorOf(R"({"sliding":{"kind":"start","velocity_after":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"sliding":{"kind":"start","velocity_after":1}})"),
               HasSubstr("it belongs to step"));
 }
 
@@ -72,7 +69,7 @@ TEST(SceneFile, ArmsStandInTheFileAndInAssignments) {
 
 TEST(SceneFile, ErrorsOfArmsNameTheArm) {
   const auto errorOfArms = [](const std::string& arms) {
-    return errorOf(R"({"elastomer":{"rheology":"prony","arms":)" + arms + "}}");
+    return errorOfScene(R"({"elastomer":{"rheology":"prony","arms":)" + arms + "}}");
   };
   EXPECT_EQ(
       errorOfArms(R"([{"modulus":1,"relaxation_time":1},{"modulus":-5,"relaxation_time":1}])"),
@@ -91,14 +88,15 @@ TEST(SceneFile, ErrorsOfArmsNameTheArm) {
   std::string many;
   for (int i = 0; i < 65; ++i) many += R"(,{"modulus":1,"relaxation_time":1})";
   EXPECT_THAT(errorOfArms("[" + many.substr(1) + "]"), HasSubstr("elastomer.arms: has 65 arms"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"arms":[]}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"arms":[]}})"),
               HasSubstr("elastomer.arms: has no meaning for elastomer.rheology kelvin"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"standard_solid","arms":[]}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"rheology":"standard_solid","arms":[]}})"),
               HasSubstr("elastomer.arms: a standard solid has one arm, not 0"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony","shear_modulus":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"rheology":"prony","shear_modulus":1}})"),
               HasSubstr("elastomer.shear_modulus: has no meaning"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony","equilibrium_modulus":0,"arms":[]}})"),
-              HasSubstr("the elastomer would have no force"));
+  EXPECT_THAT(
+      errorOfScene(R"({"elastomer":{"rheology":"prony","equilibrium_modulus":0,"arms":[]}})"),
+      HasSubstr("the elastomer would have no force"));
 }
 
 TEST(SceneFile, SectionsMayStandInsideSections) {
@@ -107,58 +105,64 @@ TEST(SceneFile, SectionsMayStandInsideSections) {
       "s.json", {}, {"elastomer.shift.c1=6"});
   EXPECT_EQ(scene.elastomer.shift, (TemperatureShift{6, 120, 300}));
   EXPECT_EQ(readScene(writeScene(scene), "t.json"), scene);
-  EXPECT_THAT(errorOf(R"({"elastomer":{"shift":{"c3":5}}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"shift":{"c3":5}}})"),
               HasSubstr("elastomer.shift.c3: unknown key"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"shift":5}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"shift":5}})"),
               HasSubstr("elastomer.shift: needs an object"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"elastic","temperature":300}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"rheology":"elastic","temperature":300}})"),
               HasSubstr("elastomer.temperature: has no meaning"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"temperature":100}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"temperature":100}})"),
               HasSubstr("elastomer.temperature: 100 K is not above 196.55 K"));
 }
 
 TEST(SceneFile, EffectsThatExcludeEachOtherAreRefused) {
-  EXPECT_THAT(errorOf(R"({"interface":{"friction_coefficient":0.1,"shear_stress":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"interface":{"friction_coefficient":0.1,"shear_stress":1}})"),
               HasSubstr("interface.shear_stress: cannot be combined"));
-  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony"},"accuracy":{"scheme":"nodal"}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"rheology":"prony"},"accuracy":{"scheme":"nodal"}})"),
               HasSubstr("accuracy.scheme: nodal is the paper's rule"));
 }
 
 TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
-  EXPECT_EQ(errorOf(R"({"surface":{"hurst":1.4}})"),
+  EXPECT_EQ(errorOfScene(R"({"surface":{"hurst":1.4}})"),
             "s.json: surface.hurst: 1.4 is outside 0 to 1");
-  EXPECT_EQ(errorOf(R"({"surface":{"hurts":0.4}})"),
+  EXPECT_EQ(errorOfScene(R"({"surface":{"hurts":0.4}})"),
             "s.json: surface.hurts: unknown key; the nearest known one is surface.hurst");
-  EXPECT_THAT(errorOf(R"({"elastomer":{"shear_modulus":-1e7}})"),
+  EXPECT_THAT(errorOfScene(R"({"elastomer":{"shear_modulus":-1e7}})"),
               HasSubstr("s.json: elastomer.shear_modulus: -10000000 is outside 1e-6 to 1e15 Pa"));
-  EXPECT_THAT(errorOf(R"({"load":{"normal_force":"much"}})"),
+  EXPECT_THAT(errorOfScene(R"({"load":{"normal_force":"much"}})"),
               HasSubstr("s.json: load.normal_force: 'much' is not a number"));
-  EXPECT_THAT(errorOf(R"({"surface":{"hurst":NaN}})"), HasSubstr("s.json: is not valid JSON"));
-  EXPECT_THAT(errorOf(R"({"surface":{"hurst":1e999}})"), HasSubstr("s.json: is not valid JSON"));
-  EXPECT_THAT(errorOf(R"({"surface":{"radius":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"surface":{"hurst":NaN}})"), HasSubstr("s.json: is not valid JSON"));
+  EXPECT_THAT(errorOfScene(R"({"surface":{"hurst":1e999}})"),
+              HasSubstr("s.json: is not valid JSON"));
+  EXPECT_THAT(errorOfScene(R"({"surface":{"radius":1}})"),
               HasSubstr("has no meaning for surface.kind self_affine; it belongs to parabola"));
-  EXPECT_THAT(errorOf(R"({"surface":{"hurst":[1]}})"), HasSubstr("a list is not allowed here"));
-  EXPECT_THAT(errorOf(R"({"surface":3})"), HasSubstr("s.json: surface: needs an object"));
-  EXPECT_THAT(errorOf(R"({"surfce":{}})"), HasSubstr("s.json: surfce: unknown key"));
-  EXPECT_EQ(errorOf(R"({"surfce":{"hurst":0.5}})"),
+  EXPECT_THAT(errorOfScene(R"({"surface":{"hurst":[1]}})"),
+              HasSubstr("a list is not allowed here"));
+  EXPECT_THAT(errorOfScene(R"({"surface":3})"), HasSubstr("s.json: surface: needs an object"));
+  EXPECT_THAT(errorOfScene(R"({"surfce":{}})"), HasSubstr("s.json: surfce: unknown key"));
+  EXPECT_EQ(errorOfScene(R"({"surfce":{"hurst":0.5}})"),
             "s.json: surfce: unknown key; the nearest known one is surface");
-  EXPECT_EQ(errorOf(R"({"elastomer":{"shft":{"c1":1}}})"),
+  EXPECT_EQ(errorOfScene(R"({"elastomer":{"shft":{"c1":1}}})"),
             "s.json: elastomer.shft: unknown key; the nearest known one is elastomer.shift");
-  EXPECT_THAT(errorOf(R"({"hurst":0.5})"), HasSubstr("nearest known one is surface.hurst"));
-  EXPECT_THAT(errorOf(R"({"surface.hurst":0.5})"), HasSubstr("inside its section's object"));
-  EXPECT_THAT(errorOf(R"({"schema":"asperity-scene/2"})"), HasSubstr("is not asperity-scene/1"));
-  EXPECT_THAT(errorOf(R"({"schema":5})"), HasSubstr("schema: 5 is not asperity-scene/1"));
-  EXPECT_THAT(errorOf(R"({"surface":{"hurst":0.1,"hurst":0.2}})"),
+  EXPECT_THAT(errorOfScene(R"({"hurst":0.5})"), HasSubstr("nearest known one is surface.hurst"));
+  EXPECT_THAT(errorOfScene(R"({"surface.hurst":0.5})"), HasSubstr("inside its section's object"));
+  EXPECT_THAT(errorOfScene(R"({"schema":"asperity-scene/2"})"),
+              HasSubstr("is not asperity-scene/1"));
+  EXPECT_THAT(errorOfScene(R"({"schema":5})"), HasSubstr("schema: 5 is not asperity-scene/1"));
+  EXPECT_THAT(errorOfScene(R"({"surface":{"hurst":0.1,"hurst":0.2}})"),
               HasSubstr("s.json: surface.hurst: occurs twice"));
-  EXPECT_THAT(errorOf("{\"schema\":" + std::string(400000, '[') + std::string(400000, ']') + "}"),
-              HasSubstr("nested too deeply"));
-  EXPECT_LT(errorOf("{\"" + std::string(500000, 'x') + "\":1}").size(), 200U);
-  EXPECT_LT(errorOf("{\"surface\":{\"hurst\":\"" + std::string(500000, 'x') + "\"}}").size(), 200U);
-  EXPECT_THAT(errorOf(R"({"surface":{"kind":"profile"}})"), HasSubstr("surface.file: is missing"));
-  EXPECT_THAT(errorOf(R"({"sweep":{"velocity_from":2,"velocity_to":1}})"),
+  EXPECT_THAT(
+      errorOfScene("{\"schema\":" + std::string(400000, '[') + std::string(400000, ']') + "}"),
+      HasSubstr("nested too deeply"));
+  EXPECT_LT(errorOfScene("{\"" + std::string(500000, 'x') + "\":1}").size(), 200U);
+  EXPECT_LT(errorOfScene("{\"surface\":{\"hurst\":\"" + std::string(500000, 'x') + "\"}}").size(),
+            200U);
+  EXPECT_THAT(errorOfScene(R"({"surface":{"kind":"profile"}})"),
+              HasSubstr("surface.file: is missing"));
+  EXPECT_THAT(errorOfScene(R"({"sweep":{"velocity_from":2,"velocity_to":1}})"),
               HasSubstr("is above sweep.velocity_to"));
-  EXPECT_THAT(errorOf("[]"), HasSubstr("a scene is one JSON object"));
-  EXPECT_THAT(errorOf("{"), HasSubstr("is not valid JSON"));
+  EXPECT_THAT(errorOfScene("[]"), HasSubstr("a scene is one JSON object"));
+  EXPECT_THAT(errorOfScene("{"), HasSubstr("is not valid JSON"));
 }
 
 /// What is no attempt at JSON is not quoted: its kind is said, and what is needed instead.
@@ -166,14 +170,14 @@ TEST(SceneFile, FilesOfAnotherKindAreNamed) {
   const std::string needed =
       "; a scene is JSON in UTF-8; a measured surface is a file that a scene names as "
       "surface.file, with surface.kind measured";
-  EXPECT_EQ(errorOf(""), "s.json: is an empty file" + needed);
-  EXPECT_EQ(errorOf(" \n"), "s.json: is an empty file" + needed);
-  EXPECT_EQ(errorOf("0,1e-6\n1,2e-6\n"), "s.json: is text that is not JSON" + needed);
-  EXPECT_EQ(errorOf("\xFF\xFEx\r\n"), "s.json: is text in UTF-16" + needed);
-  EXPECT_EQ(errorOf(std::string("{\0}\0", 4)), "s.json: is text in UTF-16" + needed);
-  EXPECT_EQ(errorOf("\x89PNG\r\n"), "s.json: is a PNG picture" + needed);
-  EXPECT_EQ(errorOf("\xEF\xBB\xBF{}"), "no error");
-  EXPECT_THAT(errorOf("3"), HasSubstr("a scene is one JSON object"));
+  EXPECT_EQ(errorOfScene(""), "s.json: is an empty file" + needed);
+  EXPECT_EQ(errorOfScene(" \n"), "s.json: is an empty file" + needed);
+  EXPECT_EQ(errorOfScene("0,1e-6\n1,2e-6\n"), "s.json: is text that is not JSON" + needed);
+  EXPECT_EQ(errorOfScene("\xFF\xFEx\r\n"), "s.json: is text in UTF-16" + needed);
+  EXPECT_EQ(errorOfScene(std::string("{\0}\0", 4)), "s.json: is text in UTF-16" + needed);
+  EXPECT_EQ(errorOfScene("\x89PNG\r\n"), "s.json: is a PNG picture" + needed);
+  EXPECT_EQ(errorOfScene("\xEF\xBB\xBF{}"), "no error");
+  EXPECT_THAT(errorOfScene("3"), HasSubstr("a scene is one JSON object"));
 }
 
 /// As deep as a scene's own keys and lists go, and not a level further: the parser of what follows
@@ -196,7 +200,7 @@ TEST(SceneFile, NestingHasALimit) {
   const auto nested = [](int levels) {
     std::string text = "1";
     for (int i = 0; i < levels; ++i) text = "{\"a\":" + text + "}";
-    return errorOf(text);
+    return errorOfScene(text);
   };
   constexpr int kDeepest = 8;
   EXPECT_THAT(nested(kDeepest), HasSubstr("unknown key"));
@@ -206,7 +210,7 @@ TEST(SceneFile, NestingHasALimit) {
 
 TEST(SceneFile, ErrorsAreOneLine) {
   for (const char* bad : {"{", "{\n\n\"a\"", "{\"a\\n\":1}", "\xff\xfe", "{\"title\":\"\x01\"}"})
-    EXPECT_EQ(errorOf(bad).find('\n'), std::string::npos) << errorOf(bad);
+    EXPECT_EQ(errorOfScene(bad).find('\n'), std::string::npos) << errorOfScene(bad);
 }
 
 TEST(SceneFile, AssignmentsAreAppliedOverTheFileInOrder) {
@@ -214,10 +218,10 @@ TEST(SceneFile, AssignmentsAreAppliedOverTheFileInOrder) {
                                 {"load.normal_force=2", "load.normal_force=3", "title=a=b"});
   EXPECT_EQ(scene.load.normalForce, 3);
   EXPECT_EQ(scene.title, "a=b");
-  EXPECT_THAT(errorOf("{}", {"load.normal_force"}), HasSubstr("is not KEY=VALUE"));
-  EXPECT_THAT(errorOf("{}", {"load.force=1"}), HasSubstr("unknown key"));
-  EXPECT_THAT(errorOf("{}", {"load.normal_force=nan"}), HasSubstr("not a finite number"));
-  EXPECT_THAT(errorOf("{}", {"surface.radius=1"}), HasSubstr("has no meaning"));
+  EXPECT_THAT(errorOfScene("{}", {"load.normal_force"}), HasSubstr("is not KEY=VALUE"));
+  EXPECT_THAT(errorOfScene("{}", {"load.force=1"}), HasSubstr("unknown key"));
+  EXPECT_THAT(errorOfScene("{}", {"load.normal_force=nan"}), HasSubstr("not a finite number"));
+  EXPECT_THAT(errorOfScene("{}", {"surface.radius=1"}), HasSubstr("has no meaning"));
 }
 
 TEST(SceneFile, AssignmentsTakeUnits) {
@@ -227,7 +231,7 @@ TEST(SceneFile, AssignmentsTakeUnits) {
   EXPECT_EQ(scene.load.normalForce, 0.02);
   EXPECT_DOUBLE_EQ(scene.elastomer.temperature, 298.15);
   EXPECT_EQ(scene.accuracy.targetRelativeError, 0.01);
-  EXPECT_EQ(errorOf("{}", {"load.normal_force=20mm"}),
+  EXPECT_EQ(errorOfScene("{}", {"load.normal_force=20mm"}),
             "s.json: load.normal_force: 20mm is a length; expected a force, such as 3.4 mN");
 }
 
@@ -244,8 +248,8 @@ TEST(SceneFile, ThePapersElementsHaveOnePointEach) {
   const Scene nodal = readScene(file, "s.json", {}, {"accuracy.scheme=nodal"});
   EXPECT_EQ(pointsPerElement(nodal), 1);
   EXPECT_EQ(readScene(writeScene(nodal), "t.json"), nodal);
-  EXPECT_EQ(errorOf(R"({"accuracy":{"scheme":"nodal","oversampling":1}})"), "no error");
-  EXPECT_THAT(errorOf(R"({"accuracy":{"scheme":"nodal","oversampling":2}})"),
+  EXPECT_EQ(errorOfScene(R"({"accuracy":{"scheme":"nodal","oversampling":1}})"), "no error");
+  EXPECT_THAT(errorOfScene(R"({"accuracy":{"scheme":"nodal","oversampling":2}})"),
               HasSubstr("has no meaning for accuracy.scheme nodal"));
 }
 

@@ -8,6 +8,7 @@
 #include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/error_from.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
@@ -26,10 +27,6 @@ Scene sceneOver(const std::string& key, const std::string& from, const std::stri
 std::string errorOver(const std::string& key, const std::string& from, const std::string& to,
                       const std::vector<std::string>& more = {}) {
   return errorFrom([&] { sceneOver(key, from, to, more); });
-}
-
-std::string errorOf(const std::string& json, const std::vector<std::string>& assignments = {}) {
-  return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
 }
 
 /// Which column of a file has the heights is no property of a surface.
@@ -215,27 +212,27 @@ TEST(Sweep, AnEndThatCannotBeIsNamedWithItsReason) {
 }
 
 TEST(Sweep, EndsBelongToTheirKey) {
-  EXPECT_THAT(errorOf(R"({"sweep":{"key":"load.normal_force","from":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"sweep":{"key":"load.normal_force","from":1}})"),
               HasSubstr("sweep.to: is missing; sweep.key load.normal_force needs it"));
-  EXPECT_THAT(errorOf(R"({"sweep":{"key":"load.normal_force","velocity_from":1}})"),
+  EXPECT_THAT(errorOfScene(R"({"sweep":{"key":"load.normal_force","velocity_from":1}})"),
               HasSubstr("sweep.velocity_from: has no meaning for sweep.key load.normal_force; it "
                         "belongs to sliding.velocity"));
   for (const char* json : {R"({"sweep":{"from":1,"to":2}})",
                            R"({"sweep":{"key":"sliding.velocity","from":1,"to":2}})"})
-    EXPECT_THAT(errorOf(json), HasSubstr("sweep.from: has no meaning for sweep.key "
-                                         "sliding.velocity; it belongs to all others"));
-  EXPECT_THAT(errorOf(R"({"sweep":{"key":3}})"), HasSubstr("sweep.key"));
+    EXPECT_THAT(errorOfScene(json), HasSubstr("sweep.from: has no meaning for sweep.key "
+                                              "sliding.velocity; it belongs to all others"));
+  EXPECT_THAT(errorOfScene(R"({"sweep":{"key":3}})"), HasSubstr("sweep.key"));
   // Another key by --set needs ends of its own: those of the file are of other numbers.
   const std::string forces = R"({"sweep":{"key":"load.normal_force","from":1,"to":2}})";
-  EXPECT_THAT(errorOf(forces, {"sweep.key=surface.rms_height"}),
+  EXPECT_THAT(errorOfScene(forces, {"sweep.key=surface.rms_height"}),
               HasSubstr("sweep.from: is missing; sweep.key surface.rms_height needs it"));
-  EXPECT_EQ(errorOf(forces, {"sweep.key=load.normal_force", "sweep.to=3"}), "no error");
+  EXPECT_EQ(errorOfScene(forces, {"sweep.key=load.normal_force", "sweep.to=3"}), "no error");
   EXPECT_EQ(readScene(forces, "s.json", {}, {"sweep.key=sliding.velocity"}), Scene{});
   // Velocities of the file have no meaning any more.
-  EXPECT_EQ(errorOf(R"({"sweep":{"velocity_from":1,"velocity_to":2}})",
-                    {"sweep.key=load.normal_force", "sweep.from=1", "sweep.to=2"}),
+  EXPECT_EQ(errorOfScene(R"({"sweep":{"velocity_from":1,"velocity_to":2}})",
+                         {"sweep.key=load.normal_force", "sweep.from=1", "sweep.to=2"}),
             "no error");
-  EXPECT_THAT(errorOf(forces, {"load.kind=indentation"}),
+  EXPECT_THAT(errorOfScene(forces, {"load.kind=indentation"}),
               HasSubstr("sweep.key: load.normal_force has no meaning for load.kind indentation"));
 }
 

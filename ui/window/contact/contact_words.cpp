@@ -21,8 +21,6 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kDefault(600, 260);  // pixels
-
 /// Returns the sentences on the present frame. They leave out a curve that a student is to guess.
 QStringList stateSentences(const Session& session) {
   if (!session.frame()) return {};
@@ -79,7 +77,7 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   auto* column = new QVBoxLayout(this);
   column->addWidget(text_, 1);
   column->addLayout(foot);
-  resize(kDefault);
+  resize(600, 260);
   text_->setFocus();
 }
 

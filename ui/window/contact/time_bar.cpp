@@ -42,7 +42,7 @@ constexpr double kBehind = 0.7, kAgainOnTime = 0.9;  // of the requested pace
 constexpr int kFramesBehind = 5;  // in a row, before the bar reports that the picture is too slow
 
 /// Returns the position of a pace on the slider: faster to the right.
-int sliderPosition(double pace) {
+int positionOfPace(double pace) {
   return static_cast<int>(
       std::lround(kPositions * std::log(kSlowest / pace) / std::log(kSlowest / kFastest)));
 }
@@ -339,7 +339,7 @@ void TimeBar::setSlowMotion(double factor) {
 
 void TimeBar::showPace() {
   const QSignalBlocker blocker(slider_);
-  slider_->setValue(sliderPosition(pace_));
+  slider_->setValue(positionOfPace(pace_));
   const double requested = slowMotion();
   const double factor = reachedScale_ > 0 ? 1 / reachedScale_ : requested;
   behindText_->setVisible(reachedScale_ > 0);

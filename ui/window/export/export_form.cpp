@@ -36,7 +36,7 @@ struct SizePreset {
   double density;  // pixels per inch
 };
 
-constexpr const char *kDefault = "usual", *kOfStyle = "style", *kOwn = "own";
+constexpr const char *kUsual = "usual", *kOfStyle = "style", *kOwn = "own";
 constexpr std::array<SizePreset, 5> kSizes{{{"slide", 1280, 720, false, 96},
                                             {"hd", 1920, 1080, false, 144},
                                             {"4k", 3840, 2160, false, 288},
@@ -169,7 +169,7 @@ void ExportForm::followChoice(const QComboBox* box) {
   if (box == content_) fillFormats();
   if (box == style_) {
     fillSizes();
-    choose(*preset_, chosen(*style_).isEmpty() ? kDefault : kOfStyle);
+    choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
     if (!chosen(*style_).isEmpty())
       choose(*theme_, "");  // that of the style
     else if (shown_.dark && kind() != ExportKind::Figure)
@@ -284,7 +284,7 @@ void ExportForm::fillSizes() {
   const bool isChart =
       chosen(*content_) == "curve" || chosen(*content_) == "motion" || kind() == ExportKind::Figure;
   preset_->clear();
-  preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kDefault);
+  preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kUsual);
   if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
   const QStringList names{tr("Slide, 1280 × 720"), tr("Full HD, 1920 × 1080"),
                           tr("4K, 3840 × 2160"), tr("Column of a journal, 86 × 62 mm"),
@@ -305,13 +305,13 @@ void ExportForm::showSize() {
     for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
     return;
   }
-  SizePreset size{kDefault, 1200, 800, false, kScreen};
+  SizePreset size{kUsual, 1200, 800, false, kScreen};
   if (chosen(*content_) == "motion") size.height = 1000;
   if (chosen(*content_) == "curve") size.height = curveHeight(shown_.curves, {1200, 800}, 1);
   if (const QSize window = renderSize(shown_, chosen(*content_));
       content_->currentData() != "curve" && content_->currentData() != "motion" &&
       !window.isEmpty())
-    size = {kDefault, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
+    size = {kUsual, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
   for (const SizePreset& each : kSizes)
     if (word == each.word) size = each;
   if (ofStyle) size = *ofStyle;
@@ -338,7 +338,7 @@ void ExportForm::convertSize() {
 /// Returns whether the command chooses the size: that of the style, or of a figure.
 bool ExportForm::hasOwnSize() const {
   const QString size = chosen(*preset_);
-  return size == kOfStyle || (size == kDefault && kind() == ExportKind::Figure);
+  return size == kOfStyle || (size == kUsual && kind() == ExportKind::Figure);
 }
 
 /// Returns whether the format of the file knows transparency.
@@ -432,7 +432,7 @@ std::optional<double> ExportForm::heightEnough(const NeededHeight& needed) const
 }
 
 bool ExportForm::raiseHeight(double height) {
-  if (chosen(*preset_) != kDefault || hasOwnSize()) return false;
+  if (chosen(*preset_) != kUsual || hasOwnSize()) return false;
   height_->setText(QString::number(height));  // textEdited is not emitted: the size stays the usual
   return true;
 }

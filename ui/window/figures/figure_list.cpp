@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-enum Role { kState = Qt::UserRole, kHeadline, kLabel, kPart };
+enum FigureRole { kState = Qt::UserRole, kHeadline, kLabel, kPart };
 
 constexpr int kPadding = 12;  // pixels, left and right
 constexpr int kBar = 3;       // pixels, height of the progress bar

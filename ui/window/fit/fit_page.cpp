@@ -30,8 +30,7 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kDefault(1180, 760);  // pixels
-constexpr int kChoicesWidth = 342;    // pixels
+constexpr int kChoicesWidth = 342;  // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
 
@@ -94,7 +93,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves, 1);
   all->addLayout(foot());
-  resizePage(*this, kDefault);
+  resizePage(*this, {1180, 760});
   connect(choices_, &FitChoices::changed, this, [this] {
     if (!isFitting()) finish(choices_->refusal());
   });

@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-enum Role { kNameRole = Qt::UserRole, kTitleRole, kSentenceRole };
+enum CardRole { kNameRole = Qt::UserRole, kTitleRole, kSentenceRole };
 
 constexpr int kGap = 10;                       // pixels between cards
 constexpr int kInside = 10;                    // between the edge of a card and its texts

@@ -23,7 +23,6 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kDefault(1120, 720);  // pixels
 constexpr std::size_t kShownBytes = 4096;
 
 /// Returns the first whole lines of a text file; empty where the file is no text.
@@ -76,7 +75,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves_, 1);
-  resizePage(*this, kDefault);
+  resizePage(*this, {1120, 720});
   connect(this, &QDialog::finished, this, &ImportPage::deleteWhenFinished);
 }
 

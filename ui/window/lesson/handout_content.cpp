@@ -71,7 +71,7 @@ class HandoutMaker {
       add("<p>" + fromUtf8(Words::tr("Name")) + ": ______________________________</p>");
     if (!options_.forTeacher || lesson_.notes.empty()) return;
     add("<h2>" + fromUtf8(Words::tr("Notes for the teacher")) + "</h2>", KeepWithNext::Always);
-    add(richText(shown(lesson_.notes)));
+    add(lessonHtml(shown(lesson_.notes)));
   }
 
   void addStep(int number) {
@@ -86,7 +86,7 @@ class HandoutMaker {
             .arg(plainText(step.title).toHtmlEscaped()),
         KeepWithNext::Always);
     blocks_.back().beginsPage = reveals;
-    add(richText(shown(step.text)));
+    add(lessonHtml(shown(step.text)));
     const std::size_t text = blocks_.size() - 1;
     addContact(step.scene);
     if (isDrawnInto(step) || !step.show.hidesCurve) addChart(step, step.scene, isDrawnInto(step));
@@ -270,9 +270,9 @@ class HandoutMaker {
         step.reveal.empty() && !hasVerdict ? KeepWithNext::No : KeepWithNext::Always);
     // A sentence with the number that decides: "It becomes 1.97 times as large."
     if (hasVerdict)
-      add(richText(prediction.right, prediction, answer, {}),
+      add(lessonHtml(prediction.right, prediction, answer, {}),
           step.reveal.empty() ? KeepWithNext::No : KeepWithNext::Always);
-    if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
+    if (!step.reveal.empty()) add(lessonHtml(step.reveal, prediction, answer, {}));
     // Pictures may go to the next page: else a large part of this one could stay empty. So they
     // have a caption.
     const std::size_t caption = blocks_.size();

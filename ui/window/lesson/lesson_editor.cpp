@@ -39,8 +39,7 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kDefault(960, 660);  // pixels
-constexpr int kListWidth = 250;      // pixels, at least
+constexpr int kListWidth = 250;  // pixels, at least
 
 }  // namespace
 
@@ -76,7 +75,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   all->addLayout(halves, 1);
   all->addWidget(messageLabel_);
   all->addLayout(buildFoot());
-  resizeDialog(*this, kDefault);
+  resizeDialog(*this, {960, 660});
   connect(language_, &QTabBar::currentChanged, this, &LessonEditor::showStep);
   connect(steps_, &QListWidget::currentRowChanged, this, &LessonEditor::showStep);
   connect(step_, &LessonStepPage::shownSceneRequested, this, &LessonEditor::takeShownScene);

@@ -150,7 +150,7 @@ void LessonList::showAbout() {
   const Lesson& lesson = readShippedLessons()[static_cast<std::size_t>(row)];
   QString html = "<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
                  tr("%1 minutes, %2 steps").arg(lesson.minutes).arg(lesson.steps.size()) + "</p>" +
-                 richText(shown(lesson.goal));
+                 lessonHtml(shown(lesson.goal));
   if (notes_->isChecked()) html += teacherText(row);
   about_->setText(html);
 }
@@ -186,7 +186,7 @@ void LessonList::computeAnswers(int row) {
 QString LessonList::teacherText(int row) const {
   const Lesson& lesson = readShippedLessons()[static_cast<std::size_t>(row)];
   QString html = "<h4>" + tr("For teachers") + "</h4>";
-  if (!lesson.notes.empty()) html += richText(shown(lesson.notes));
+  if (!lesson.notes.empty()) html += lessonHtml(shown(lesson.notes));
   html += "<h4>" + tr("Answers") + "</h4>";
   const auto found = answers_.find(row);
   if (found == answers_.end())

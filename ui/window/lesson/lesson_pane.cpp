@@ -129,7 +129,7 @@ void LessonPane::showStep(const LessonPage& page) {
   isPointPlaced_ = false;
   progress_->setText(tr("%1 of %2").arg(page.step + 1).arg(count));
   fill(*title_, lineText(step.title).toHtmlEscaped());
-  fill(*text_, richText(shown(step.text)));
+  fill(*text_, lessonHtml(shown(step.text)));
   fill(*score_, page.score);
   fill(*note_, {});
   isAsking_ = step.prediction && !page.answer;
@@ -147,7 +147,7 @@ void LessonPane::showStep(const LessonPage& page) {
   QString verdict, reveal;
   if (step.prediction && page.answer) {
     verdict = verdictText(*step.prediction, *page.answer, *page.given, page.isRight);
-    reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given);
+    reveal = lessonHtml(step.reveal, *step.prediction, *page.answer, *page.given);
   }
   fill(*verdict_, verdict);
   // The focus moves to the button; its description gives the right answer to screen readers, or the

@@ -113,7 +113,7 @@ QString dateText(const std::string& date) {
   return QLocale(fromUtf8(presentLanguage())).toString(time, QLocale::ShortFormat);
 }
 
-QString richText(const std::string& text) {
+QString lessonHtml(const std::string& text) {
   QString html;
   const QStringList paragraphs = QString::fromStdString(text).split(QStringLiteral("\n\n"));
   for (const QString& paragraph : paragraphs) {
@@ -179,9 +179,9 @@ QString toleranceText(const LessonPrediction& prediction) {
       .arg(height, shortFactor(1 + prediction.xTolerance));
 }
 
-QString richText(const LessonText& text, const LessonPrediction& prediction,
-                 const LessonAnswer& answer, const GivenAnswer& given) {
-  return richText(
+QString lessonHtml(const LessonText& text, const LessonPrediction& prediction,
+                   const LessonAnswer& answer, const GivenAnswer& given) {
+  return lessonHtml(
       withValues(shown(text), prediction, answer, given, presentLanguage(), numberInWords));
 }
 
@@ -198,7 +198,7 @@ QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answ
   if (!given.isGiven()) {
     const bool hasAnswerAlone =
         contains(prediction.wrong, "{") && !contains(prediction.wrong, "{given");
-    return hasAnswerAlone ? richText(prediction.wrong, prediction, answer, given)
+    return hasAnswerAlone ? lessonHtml(prediction.wrong, prediction, answer, given)
                           : paragraph(found);
   }
   const LessonText& comment = isRight ? prediction.right : prediction.wrong;
@@ -215,7 +215,7 @@ QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answ
   if (isPoint && !isRight) sentences += mistakeText(prediction, answer, given);
   // A text to a choice may have in words what was computed.
   if (isChoice ? comment.empty() : !contains(comment, "{answer")) sentences += found;
-  return verdict + paragraph(sentences.join(' ')) + richText(comment, prediction, answer, given);
+  return verdict + paragraph(sentences.join(' ')) + lessonHtml(comment, prediction, answer, given);
 }
 
 }  // namespace asperity

@@ -23,7 +23,7 @@ QString dateText(const std::string& date);
 
 /// Returns HTML of paragraphs and lists: "*word*" in italics, "**word**" in bold, "- " items.
 /// Everything else is plain text.
-QString richText(const std::string& text);
+QString lessonHtml(const std::string& text);
 
 /// Returns a number as a sentence has it: "1.97", "0.25 µm".
 std::string numberInWords(const LessonNumber& number);
@@ -41,8 +41,8 @@ QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& an
 QString toleranceText(const LessonPrediction& prediction);
 
 /// Returns a text shown after the answer, as rich text with the values in it.
-QString richText(const LessonText& text, const LessonPrediction& prediction,
-                 const LessonAnswer& answer, const GivenAnswer& given);
+QString lessonHtml(const LessonText& text, const LessonPrediction& prediction,
+                   const LessonAnswer& answer, const GivenAnswer& given);
 
 /// Returns a text, as rich text, on whether the answer is right, what the student answered and what
 /// the program finds. Without an answer of the student it has only the computed one.

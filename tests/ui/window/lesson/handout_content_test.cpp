@@ -26,16 +26,16 @@ TEST_F(HandoutWindowTest, AHandoutIsSavedThoughItsPageIsClosed) {
 }
 
 TEST(LessonTexts, MarkupBecomesHtmlAndNothingElseDoes) {
-  EXPECT_EQ(richText("A *b* and **c**.\n\nD < 2 * 3 * 4"),
+  EXPECT_EQ(lessonHtml("A *b* and **c**.\n\nD < 2 * 3 * 4"),
             "<p>A <i>b</i> and <b>c</b>.</p><p>D &lt; 2 * 3 * 4</p>");
-  EXPECT_EQ(richText("See:\n- one\n- *two*"),
+  EXPECT_EQ(lessonHtml("See:\n- one\n- *two*"),
             "<p>See:</p><ul><li>one</li><li><i>two</i></li></ul>");
-  EXPECT_EQ(richText("<b>x</b>"), "<p>&lt;b&gt;x&lt;/b&gt;</p>");
+  EXPECT_EQ(lessonHtml("<b>x</b>"), "<p>&lt;b&gt;x&lt;/b&gt;</p>");
   // A number stays with its unit; other words may be parted.
-  EXPECT_EQ(richText("H = 0.7"), QStringLiteral("<p>H\u00A0=\u00A00.7</p>"));
-  EXPECT_EQ(richText("at 3 mm/s, 70 °C, 40 lines"),
+  EXPECT_EQ(lessonHtml("H = 0.7"), QStringLiteral("<p>H\u00A0=\u00A00.7</p>"));
+  EXPECT_EQ(lessonHtml("at 3 mm/s, 70 °C, 40 lines"),
             QStringLiteral("<p>at 3\u00A0mm/\u2060s, 70\u00A0°C, 40 lines</p>"));
-  EXPECT_EQ(richText("as 1/v or 1/τ, here/there"),
+  EXPECT_EQ(lessonHtml("as 1/v or 1/τ, here/there"),
             QStringLiteral("<p>as 1/\u2060v or 1/\u2060τ, here/there</p>"));
 }
 

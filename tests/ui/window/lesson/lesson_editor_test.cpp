@@ -296,7 +296,7 @@ TEST(StudentHandouts, TeachersSeeTheTolerance) {
 }
 
 TEST(StudentHandouts, LinesOfATextStayLines) {
-  EXPECT_EQ(richText("One *and\nthe same*.\nTwo."), "<p>One <i>and<br>the same</i>.<br>Two.</p>");
+  EXPECT_EQ(lessonHtml("One *and\nthe same*.\nTwo."), "<p>One <i>and<br>the same</i>.<br>Two.</p>");
 }
 
 }  // namespace
