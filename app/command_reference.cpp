@@ -153,7 +153,7 @@ std::string fishScript(const CLI::App& app) {
   return text;
 }
 
-std::string markdown(const nlohmann::json& text) {
+std::string markdown(const nlohmann::ordered_json& text) {
   return escapedMarkdown(text.get<std::string>());
 }
 

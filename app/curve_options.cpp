@@ -276,7 +276,7 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
     }
   std::vector<FrictionData> given = addComparisonData(scene, arguments.data);
   if (arguments.theory.empty()) return {std::move(scene), std::move(given)};
-  nlohmann::json words = nlohmann::json::array();
+  nlohmann::ordered_json words = nlohmann::ordered_json::array();
   std::istringstream list(arguments.theory);
   for (std::string word; std::getline(list, word, ',');)
     if (word != "none") words.push_back(word);
