@@ -30,6 +30,11 @@ void addColumnChoice(CLI::App* command, std::string& columns) {
       ->group(kTableGroup);
 }
 
+std::string keysFooter(const char* command) {
+  return fmt::format(
+      "Keys of a scene for --set, with their ranges and units: asperity {} --help keys", command);
+}
+
 void addOutputs(CLI::App* command, std::vector<std::string>& outputs, const char* sentence) {
   mayRepeat(command->add_option("-o,--output", outputs, sentence));
 }
@@ -100,7 +105,7 @@ void CommandTable::declareIn(CLI::App& app, std::string_view word,
   remake_ = std::move(remake);
   app.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
   addShared(app, window_, kLastLanguage);
-  using Command = std::pair<std::string_view, void (CommandTable::*)()>;
+  using Command = std::pair<const char*, void (CommandTable::*)(const char* name)>;
   static constexpr Command kCommands[] = {
       {"check", &CommandTable::addCheck},       {"curve", &CommandTable::addCurve},
       {"map", &CommandTable::addMap},           {"sensitivity", &CommandTable::addSensitivity},
@@ -111,9 +116,9 @@ void CommandTable::declareIn(CLI::App& app, std::string_view word,
       {"batch", &CommandTable::addBatch},       {"study", &CommandTable::addStudy},
       {"accuracy", &CommandTable::addAccuracy}, {"explain", &CommandTable::addExplain},
       {"columns", &CommandTable::addColumns},   {"lesson", &CommandTable::addLesson}};
-  const auto* named = std::ranges::find(kCommands, word, &Command::first);
-  if (named != std::end(kCommands)) return (this->*named->second)();
-  for (const Command& command : kCommands) (this->*command.second)();
+  const bool isCommand = std::ranges::find(kCommands, word, &Command::first) != std::end(kCommands);
+  for (const auto& [name, add] : kCommands)
+    if (!isCommand || word == name) (this->*add)(name);
 }
 
 int CommandTable::run() const {
@@ -159,28 +164,25 @@ CLI::App* CommandTable::addSceneCommand(const char* name, const char* sentence,
                    "Scene file (JSON), or the name of a shipped scene (figure_1)")
       ->required();
   addShared(*command, common);
-  command->footer(fmt::format(
-      "Keys of a scene for --set, with their ranges and units: asperity {} --help keys", name));
+  command->footer(keysFooter(name));
   return command;
 }
 
-void CommandTable::addCheck() {
-  CLI::App* command = addCommand("check", "Read scenes, check them, and print what they describe",
+void CommandTable::addCheck(const char* name) {
+  CLI::App* command = addCommand(name, "Read scenes, check them, and print what they describe",
                                  [this] { return runCheck(check_); });
   command
       ->add_option("SCENE", check_.scenes,
                    "Scene files (JSON), names of shipped scenes, or - for standard input")
       ->required();
   addShared(*command, check_.common);
-  command->footer(
-      "Keys of a scene for --set, with their ranges and units: asperity check --help "
-      "keys");
+  command->footer(keysFooter(name));
 }
 
-void CommandTable::addCurve() {
+void CommandTable::addCurve(const char* name) {
   CLI::App* command =
-      addSceneCommand("curve", "Friction over velocity, averaged over the realizations",
-                      curve_.common, [this] { return runCurve(curve_); });
+      addSceneCommand(name, "Friction over velocity, averaged over the realizations", curve_.common,
+                      [this] { return runCurve(curve_); });
   addOutputs(command, curve_.outputs,
              "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
              "or .pdf; may be repeated (default: CSV to standard output)");
@@ -194,9 +196,9 @@ void CommandTable::addCurve() {
       ->group(kTableGroup);
 }
 
-void CommandTable::addMap() {
+void CommandTable::addMap(const char* name) {
   CLI::App* command =
-      addSceneCommand("map", "Friction over two parameters, as colours and as a table", map_.common,
+      addSceneCommand(name, "Friction over two parameters, as colours and as a table", map_.common,
                       [this] { return runMap(map_); });
   const auto side = [&](const char* option, std::string& value, const char* sentence) {
     command->add_option(option, value, sentence)->type_name("KEY=FROM:TO:N")->required();
@@ -217,9 +219,9 @@ void CommandTable::addMap() {
   addColumnChoice(command, map_.columns);
 }
 
-void CommandTable::addSensitivity() {
+void CommandTable::addSensitivity(const char* name) {
   CLI::App* command =
-      addSceneCommand("sensitivity", "How much friction changes with each parameter of a scene",
+      addSceneCommand(name, "How much friction changes with each parameter of a scene",
                       sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
   addOutputs(command, sensitivity_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
@@ -227,9 +229,9 @@ void CommandTable::addSensitivity() {
   addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
 }
 
-void CommandTable::addCutoff() {
+void CommandTable::addCutoff(const char* name) {
   CLI::App* command = addSceneCommand(
-      "cutoff", "Friction against the short-wave cut-off: which waves of the line make it",
+      name, "Friction against the short-wave cut-off: which waves of the line make it",
       cutoff_.common, [this] { return runCutoff(cutoff_); });
   addOutputs(command, cutoff_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: CSV to "
@@ -237,8 +239,8 @@ void CommandTable::addCutoff() {
   addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
 }
 
-void CommandTable::addMotion() {
-  CLI::App* command = addSceneCommand("motion", "Friction, indentation, contact and power in time",
+void CommandTable::addMotion(const char* name) {
+  CLI::App* command = addSceneCommand(name, "Friction, indentation, contact and power in time",
                                       motion_.common, [this] { return runMotion(motion_); });
   addOutputs(command, motion_.outputs,
              "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
@@ -261,10 +263,9 @@ void CommandTable::addMotion() {
   addColumnChoice(command, motion_.columns);
 }
 
-void CommandTable::addRender() {
-  CLI::App* command =
-      addSceneCommand("render", "Pictures and films of the contact, without a screen",
-                      render_.common, [this] { return runRender(render_); });
+void CommandTable::addRender(const char* name) {
+  CLI::App* command = addSceneCommand(name, "Pictures and films of the contact, without a screen",
+                                      render_.common, [this] { return runRender(render_); });
   command
       ->add_option("-o,--output", render_.output,
                    "FILE.png, .svg, .pdf, .eps or .tif for one picture; FILE.mp4, .webm, .gif or "
@@ -318,9 +319,9 @@ void CommandTable::addRender() {
   addColumnChoice(command, render_.columns);
 }
 
-void CommandTable::addSurface() {
+void CommandTable::addSurface(const char* name) {
   CLI::App* command = addSceneCommand(
-      "surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
+      name, "A measured surface or the rigid line of a scene: values, spectrum, the line",
       surface_.common, [this] { return runSurface(surface_); });
   command->get_option("SCENE")->description(
       "Measured surface of any kind, scene file (JSON), or the name of a shipped scene (figure_1)");
@@ -338,8 +339,8 @@ void CommandTable::addSurface() {
   addPictureOptions(*command, surface_.picture, "1280x800", "light", FigurePart::Chart);
 }
 
-void CommandTable::addFit() {
-  CLI::App* command = addSceneCommand("fit", "Parameters of a scene that fit measured friction",
+void CommandTable::addFit(const char* name) {
+  CLI::App* command = addSceneCommand(name, "Parameters of a scene that fit measured friction",
                                       fit_.common, [this] { return runFit(fit_); });
   mayRepeat(command->add_option("--data", fit_.data,
                                 "Table of velocity and mu, where known with mu_error, normal_force "
@@ -360,9 +361,9 @@ void CommandTable::addFit() {
   addColumnChoice(command, fit_.columns);
 }
 
-void CommandTable::addMaterial() {
+void CommandTable::addMaterial(const char* name) {
   CLI::App* command =
-      addCommand("material", "Make a material for scenes from measured moduli or a Prony series",
+      addCommand(name, "Make a material for scenes from measured moduli or a Prony series",
                  [this] { return runMaterial(material_); });
   MaterialCommand& material = material_;
   command
@@ -379,10 +380,9 @@ void CommandTable::addMaterial() {
   addShared(*command, material.common);
 }
 
-void CommandTable::addFigure() {
+void CommandTable::addFigure(const char* name) {
   CLI::App* command = addCommand(
-      "figure",
-      "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims",
+      name, "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims",
       [this] { return runFigure(figure_); });
   std::string words;
   for (const FigureEntry& entry : figureEntries())
@@ -404,9 +404,8 @@ void CommandTable::addFigure() {
   command->footer("Figures:\n" + words);
 }
 
-void CommandTable::addOpen() {
-  CLI::App* command =
-      app_->add_subcommand("open", "Open the window with the scene that made a file");
+void CommandTable::addOpen(const char* name) {
+  CLI::App* command = app_->add_subcommand(name, "Open the window with the scene that made a file");
   command
       ->add_option("FILE", open_.common.scene,
                    "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
@@ -445,10 +444,9 @@ void CommandTable::addOpen() {
   });
 }
 
-void CommandTable::addBatch() {
+void CommandTable::addBatch(const char* name) {
   CLI::App* command = addCommand(
-      "batch",
-      "Run many scenes and sweeps of their keys: pictures, data and one page that shows all",
+      name, "Run many scenes and sweeps of their keys: pictures, data and one page that shows all",
       [this] { return runBatch(batch_); });
   command->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
   command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
@@ -460,15 +458,15 @@ void CommandTable::addBatch() {
   command->footer(kBatchFormat);
 }
 
-void CommandTable::addStudy() {
+void CommandTable::addStudy(const char* name) {
   CLI::App* study = app_->add_subcommand(
-      "study", "Very many simulations: a space of scene keys, in a store that survives kills");
+      name, "Very many simulations: a space of scene keys, in a store that survives kills");
   study->require_subcommand(1);
   study->footer(kStudyFormat);
   // The first word of an action is its input, and there is no --set: the study has all values.
-  const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
+  const auto action = [&](const char* word, const char* sentence, StudyCommand& command,
                           int (*work)(const StudyCommand&)) {
-    CLI::App* app = study->add_subcommand(name, sentence);
+    CLI::App* app = study->add_subcommand(word, sentence);
     addSharedWithoutScene(*app, command.common);
     app->callback(
         [this, &command, work] { selected_ = [&command, work] { return work(command); }; });
@@ -517,9 +515,9 @@ void CommandTable::addStudy() {
   addPictureOptions(*analyse, studyAnalyse_.picture, "1400x900", "print");
 }
 
-void CommandTable::addAccuracy() {
+void CommandTable::addAccuracy(const char* name) {
   CLI::App* command =
-      addSceneCommand("accuracy", "What accuracy costs: error against time of every method",
+      addSceneCommand(name, "What accuracy costs: error against time of every method",
                       accuracy_.common, [this] { return runAccuracy(accuracy_); });
   command->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")
       ->required();
@@ -528,10 +526,10 @@ void CommandTable::addAccuracy() {
   addColumnChoice(command, accuracy_.columns);
 }
 
-void CommandTable::addExplain() {
-  CLI::App* command = addSceneCommand(
-      "explain", "The plan: what runs, what does not run and why, and the expected cost",
-      explain_.common, [this] { return runExplain(explain_); });
+void CommandTable::addExplain(const char* name) {
+  CLI::App* command =
+      addSceneCommand(name, "The plan: what runs, what does not run and why, and the expected cost",
+                      explain_.common, [this] { return runExplain(explain_); });
   command->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
   CLI::Option* x = command->add_option(
       "--x", explain_.x, "With --y: expected cost of 'asperity map' with this x axis");
@@ -541,16 +539,15 @@ void CommandTable::addExplain() {
   y->needs(x);
 }
 
-void CommandTable::addColumns() {
-  CLI::App* command =
-      addCommand("columns", "All columns of all tables: name, unit, meaning, equation",
-                 [this] { return runColumns(columns_); });
+void CommandTable::addColumns(const char* name) {
+  CLI::App* command = addCommand(name, "All columns of all tables: name, unit, meaning, equation",
+                                 [this] { return runColumns(columns_); });
   addSharedWithoutScene(*command, columns_);
 }
 
-void CommandTable::addLesson() {
+void CommandTable::addLesson(const char* name) {
   CLI::App* command = addCommand(
-      "lesson",
+      name,
       "Lessons: what they ask, handouts for students and teachers, and the results of a class",
       [this] { return runLesson(lesson_); });
   command->add_option("LESSON", lesson_.lessons,
