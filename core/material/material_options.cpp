@@ -78,6 +78,12 @@ bool isTrue(const Option& option) {
   return option.value == "true";
 }
 
+/// Sets the name of the column that has a quantity.
+template <std::string DmaChoices::*column>
+void setColumn(const Option& option, MaterialChoices& choices) {
+  choices.columns.*column = option.value;
+}
+
 /// The effect of an option on the choices.
 struct Row {
   std::string_view name;
@@ -117,21 +123,14 @@ constexpr std::array<Row, 26> kRows{{
     {"--instantaneous-modulus",
      [](const Option& o, MaterialChoices& c) { c.instantaneousModulus = pascals(o); }},
     {"--liquid", [](const Option& o, MaterialChoices& c) { c.series.isLiquid = isTrue(o); }},
-    {"--frequency-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.frequencyColumn = o.value; }},
-    {"--temperature-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.temperatureColumn = o.value; }},
-    {"--storage-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.storageColumn = o.value; }},
-    {"--loss-column", [](const Option& o, MaterialChoices& c) { c.columns.lossColumn = o.value; }},
-    {"--tan-delta-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.lossTangentColumn = o.value; }},
-    {"--magnitude-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.magnitudeColumn = o.value; }},
-    {"--phase-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.phaseColumn = o.value; }},
-    {"--strain-column",
-     [](const Option& o, MaterialChoices& c) { c.columns.strainColumn = o.value; }},
+    {"--frequency-column", setColumn<&DmaChoices::frequencyColumn>},
+    {"--temperature-column", setColumn<&DmaChoices::temperatureColumn>},
+    {"--storage-column", setColumn<&DmaChoices::storageColumn>},
+    {"--loss-column", setColumn<&DmaChoices::lossColumn>},
+    {"--tan-delta-column", setColumn<&DmaChoices::lossTangentColumn>},
+    {"--magnitude-column", setColumn<&DmaChoices::magnitudeColumn>},
+    {"--phase-column", setColumn<&DmaChoices::phaseColumn>},
+    {"--strain-column", setColumn<&DmaChoices::strainColumn>},
     {"--strain",
      [](const Option& o, MaterialChoices& c) {
        c.strainAmplitude = parseStrain(o.value);
