@@ -42,7 +42,6 @@
 #include "ui/window/export/export_dialog.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/fit/fit_page.h"
 #include "ui/window/import/import_commands.h"

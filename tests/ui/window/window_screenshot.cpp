@@ -24,7 +24,7 @@
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/window/contact/contact_canvas.h"
-#include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figures_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
@@ -108,7 +108,7 @@ bool showFigure(MainWindow& window, const QString& word) {
   auto* action = window.findChild<QAction*>("figure:" + word);
   if (!action) return false;
   action->trigger();
-  FigurePicture& picture = window.pages().figuresPage().picture();
+  DiagramView& picture = window.pages().figuresPage().picture();
   const bool isThere = QTest::qWaitFor([&] { return picture.isPainted(); }, 300000);
   QTest::qWait(300);  // on the screen too
   return isThere;

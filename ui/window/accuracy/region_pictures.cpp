@@ -4,14 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/diagram_view.h"
 
 namespace asperity {
 
@@ -29,11 +28,9 @@ std::pair<QString, QString> splitTitle(const Diagram& diagram) {
 
 /// Returns one diagram without the texts above and below it: the buttons have the names, the
 /// tooltip has the note.
-std::shared_ptr<const ComputedFigure> singleDiagram(Diagram diagram) {
-  auto one = std::make_shared<ComputedFigure>();
+DiagramSheet singleDiagram(Diagram diagram) {
   diagram.title = {};
-  one->figure.sheet.diagrams = {std::move(diagram)};
-  return one;
+  return {.diagrams = {std::move(diagram)}};
 }
 
 }  // namespace
@@ -43,7 +40,7 @@ RegionPictures::RegionPictures(QWidget* parent)
       bar_(named<QWidget>("regionBar")),
       buttons_(new QButtonGroup(this)),
       range_(named<QLabel>("regionRange")),
-      picture_(new FigurePicture) {
+      picture_(named<DiagramView>("figurePicture")) {
   setAttribute(Qt::WA_StyledBackground);
   setObjectName("regionPictures");
   places_ = new QHBoxLayout(bar_);
@@ -53,6 +50,7 @@ RegionPictures::RegionPictures(QWidget* parent)
   places_->addWidget(range_);
   connect(buttons_, &QButtonGroup::idClicked, this, &RegionPictures::choose);
   picture_->setMinimumSize(200, 100);
+  picture_->setPause(0);
   picture_->setMinTextSize(kMinRegionText);
   auto* column = marginless<QVBoxLayout>(this, 0);
   column->addWidget(bar_);
@@ -70,7 +68,10 @@ void RegionPictures::showText(const QString& text) {
   sheet_.reset();
   bar_->hide();
   picture_->setToolTip({});
-  picture_->showText(text);
+  picture_->clear();
+  picture_->setPlaceholder(text);
+  picture_->setAccessibleName(text);
+  picture_->setAccessibleDescription({});
 }
 
 void RegionPictures::showSheet(DiagramSheet sheet) {
@@ -106,7 +107,10 @@ void RegionPictures::choose(int index) {
   chosen_ = name;
   range_->setText(range);
   buttons_->button(index)->setChecked(true);
-  picture_->showFigure(singleDiagram(diagram));
+  picture_->setPlaceholder({});
+  picture_->showPicture([one = singleDiagram(diagram)](const DiagramOptions& options) {
+    return composeDiagrams(one, options);
+  });
   picture_->setAccessibleName(translatedText(sheet_->title) + ", " + name);
   const QString note = translatedText(sheet_->note);
   picture_->setAccessibleDescription(note);

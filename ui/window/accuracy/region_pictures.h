@@ -14,7 +14,7 @@ class QLabel;
 
 namespace asperity {
 
-class FigurePicture;
+class DiagramView;
 
 class RegionPictures : public QWidget {
   Q_OBJECT
@@ -38,7 +38,7 @@ class RegionPictures : public QWidget {
   QHBoxLayout* places_;
   QButtonGroup* buttons_;
   QLabel* range_;  // rest of the chosen diagram's title after its name
-  FigurePicture* picture_;
+  DiagramView* picture_;
   QString chosen_;  // name of the chosen diagram
 };
 

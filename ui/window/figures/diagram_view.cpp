@@ -27,7 +27,6 @@ namespace asperity {
 namespace {
 
 constexpr int kPicturePause = 400;  // ms between two pictures
-constexpr float kMinText = 1;       // views are low, which would make their texts small
 
 DiagramSheet makeSheet(const DiagramView::Maker& maker) {
   try {
@@ -75,16 +74,35 @@ DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(t
 void DiagramView::show(Maker maker, DiagramExport saved) {
   maker_ = std::move(maker);
   export_ = std::move(saved);
+  compose_ = [made = maker_](const DiagramOptions& options) {
+    const DiagramSheet sheet = readableSheet(makeSheet(made), options);
+    return Picture{composeDiagrams(sheet, options), diagramFrames(sheet, options)};
+  };
   // The menu with which it is saved opens by a key, too.
   if (!export_.name.isEmpty()) setFocusPolicy(Qt::StrongFocus);
+  requestSoon();
+}
+
+void DiagramView::showPicture(Composer composer) {
+  pictures_.cancel();
+  maker_ = {};
+  export_ = {};
+  compose_ = [draw = std::move(composer)](const DiagramOptions& options) {
+    return Picture{draw(options)};
+  };
   requestSoon();
 }
 
 void DiagramView::clear() {
   pictures_.cancel();
   maker_ = {};
-  image_ = {};
-  frames_.clear();
+  compose_ = {};
+  take({}, {});
+}
+
+void DiagramView::take(const QImage& image, const std::vector<ChartGeometry>& frames) {
+  image_ = image;
+  frames_ = frames;
   update();
 }
 
@@ -96,11 +114,17 @@ void DiagramView::setPlaceholder(const QString& text) {
 
 void DiagramView::setTheme(const Theme& theme) {
   theme_ = theme;
+  update();
   requestSoon();
 }
 
 void DiagramView::setPause(int pause) {
   pause_->setInterval(pause);
+}
+
+void DiagramView::setMinTextSize(float part) {
+  minTextSize_ = part;
+  requestSoon();
 }
 
 void DiagramView::requestSoon() {
@@ -110,30 +134,29 @@ void DiagramView::requestSoon() {
 
 /// Requests a picture. A hidden view waits until it is visible.
 void DiagramView::request() {
-  if (!isVisible() || !maker_ || size().isEmpty()) return;
+  if (!isVisible() || !compose_ || size().isEmpty()) return;
   isDue_ = false;
   pause_->start();
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
   const DiagramOptions options{pixels.width(), pixels.height(),
-                               static_cast<float>(scale * markScale(font())), theme_, kMinText};
+                               static_cast<float>(scale * markScale(font())), theme_, minTextSize_};
   pictures_.request(
-      [maker = maker_, options, scale](const BackgroundWork::Run&) {
-        const DiagramSheet sheet = readableSheet(makeSheet(maker), options);
-        QImage image = renderImage(contextOfThread(), composeDiagrams(sheet, options));
+      [compose = compose_, options, scale](const BackgroundWork::Run&) {
+        Picture picture = compose(options);
+        QImage image = renderImage(contextOfThread(), picture.list);
         image.setDevicePixelRatio(scale);
-        std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
-        for (ChartGeometry& frame : frames)
+        for (ChartGeometry& frame : picture.frames)
           frame.area = {frame.area.topLeft() / scale, frame.area.size() / scale};
-        return std::pair{image, std::move(frames)};
+        return std::pair{image, std::move(picture.frames)};
       },
       [this](const std::pair<QImage, std::vector<ChartGeometry>>& made) {
-        image_ = made.first;
-        frames_ = made.second;
-        update();
-        emit painted();
+        take(made.first, made.second);
       },
-      [this](const LiveText& reason) { emit failed(reason); });
+      [this](const LiveText& reason) {
+        take({}, {});  // the picture before shows something else
+        emit failed(reason);
+      });
 }
 
 void DiagramView::showEvent(QShowEvent* event) {
@@ -216,8 +239,9 @@ void DiagramView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), toQColor(theme_.background));
   if (!hasFrame() && !placeholder_.isEmpty()) {
-    painter.setPen(toQColor(theme_.text));
-    return painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
+    painter.setPen(toQColor(theme_.faintText));
+    return painter.drawText(rect().adjusted(40, 20, -40, -20), Qt::AlignCenter | Qt::TextWordWrap,
+                            placeholder_);
   }
   if (image_.isNull()) return;
   painter.setRenderHint(QPainter::SmoothPixmapTransform,

@@ -1,7 +1,8 @@
-// Shows diagrams that are made and drawn in the background: only the newest request, and only while
-// the view is visible; a menu copies or saves them. GUI thread; owned by its parent. Failure: an
-// error of the maker is shown as text instead of the picture; where no backend can draw or a file
-// cannot be written, the signal reports it.
+// Shows diagrams, or another picture, that are made and drawn in the background for the size, the
+// theme, the font and the language of the view: only the newest request, and only while the view is
+// visible; a menu copies or saves diagrams. GUI thread; owned by its parent. Failure: an error of
+// the maker is shown as text instead of the diagrams; where nothing can be drawn the view is empty,
+// and the signal reports it, as it does where a file cannot be written.
 #pragma once
 
 #include <QImage>
@@ -39,19 +40,25 @@ class DiagramView : public QWidget {
  public:
   /// Makes the diagram. It is called on the worker's thread and may throw.
   using Maker = std::function<DiagramSheet()>;
+  /// Draws a picture of this size. It is called on the worker's thread and may throw.
+  using Composer = std::function<DrawList(const DiagramOptions& options)>;
 
   explicit DiagramView(QWidget* parent = nullptr);
 
   /// Sets the diagram to show from now on; of many fast requests some are skipped.
   void show(Maker maker, DiagramExport saved = {});
-  /// Shows nothing until the picture of the next diagram is made.
+  /// Sets a picture to show from now on, which the view cannot save.
+  void showPicture(Composer composer);
+  /// Shows nothing until the next picture is made.
   void clear();
-  /// Sets the text that is shown in the middle while there is no diagram yet.
+  /// Sets the text that is shown in the middle while there is no diagram yet; empty: none.
   void setPlaceholder(const QString& text);
   QString placeholder() const { return placeholder_; }
   void setTheme(const Theme& theme);
   /// Sets the minimum time between two pictures, ms.
   void setPause(int pause);
+  /// Sets the minimum size of texts in a low view, relative to their usual size.
+  void setMinTextSize(float part);
 
   /// Returns where the diagrams are in the picture that is shown, in logical pixels of the view.
   const std::vector<ChartGeometry>& frames() const { return frames_; }
@@ -71,7 +78,6 @@ class DiagramView : public QWidget {
   QSize minimumSizeHint() const override { return {320, 170}; }
 
  signals:
-  void painted();
   void failed(const asperity::LiveText& reason);
   void saved(const QString& file);
   /// Emitted when the view appears or disappears: only a visible diagram needs data.
@@ -89,14 +95,23 @@ class DiagramView : public QWidget {
 
  private:
   QString saveText() const;
+  /// A picture, and where the diagrams are in it, in pixels.
+  struct Picture {
+    DrawList list;
+    std::vector<ChartGeometry> frames{};
+  };
+
   void requestSoon();
   void request();
+  void take(const QImage& image, const std::vector<ChartGeometry>& frames);
   bool hasFrame() const;
 
   QString placeholder_;
-  Maker maker_;
+  Maker maker_;  // of the diagrams, if the picture has some
   DiagramExport export_;
+  std::function<Picture(const DiagramOptions&)> compose_;
   Theme theme_ = lightTheme();
+  float minTextSize_ = 1;  // views are low, which would make their texts small
   QImage image_;
   std::vector<ChartGeometry> frames_;
   QTimer* pause_;

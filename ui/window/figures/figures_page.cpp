@@ -15,12 +15,14 @@
 #include <QSplitter>
 #include <QToolButton>
 
+#include "ui/chart/figure_drawing.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/panel_style.h"
 #include "ui/window/figures/claims_table.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_list.h"
-#include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/figure_queue.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/file_dialogs.h"
@@ -87,7 +89,7 @@ FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
   connect(list_, &FigureList::chosenChanged, this, &FiguresPage::showChosen);
   connect(list_, &FigureList::computeRequested, this, &FiguresPage::compute);
   connect(queue_, &FigureQueue::changed, this, &FiguresPage::take);
-  connect(picture_, &FigurePicture::failed, this, [this](const LiveText& reason) {
+  connect(picture_, &DiagramView::failed, this, [this](const LiveText& reason) {
     messages_->showFailure(MessageBar::Failure::Scene, reason);
   });
   auto* escape =
@@ -103,7 +105,7 @@ void FiguresPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LanguageChange) return;
   showNote({});
-  showPlaceholder();
+  describePicture();
   // This runs later, because the buttons get the event after this page and first set their usual
   // texts.
   QMetaObject::invokeMethod(this, &FiguresPage::showWork, Qt::QueuedConnection);
@@ -170,7 +172,10 @@ QWidget* FiguresPage::makeChoices() {
 }
 
 QWidget* FiguresPage::makeRight() {
-  picture_ = new FigurePicture;
+  picture_ = named<DiagramView>("figurePicture");
+  picture_->setMinimumSize(320, 200);
+  picture_->setPause(0);
+  picture_->setMinTextSize(0);
   claims_ = new ClaimsTable;
   auto* splitter = thinSplitter(Qt::Vertical);
   splitter->addWidget(picture_);
@@ -254,18 +259,23 @@ void FiguresPage::take(FigureName name) {
   showWork();
 }
 
-/// Shows a text until the picture is ready.
-void FiguresPage::showPlaceholder() {
+/// Shows a text while there is no figure, and says to screen readers what there is.
+void FiguresPage::describePicture() {
   const FigureStatus& status = queue_->status(chosen());
-  if (status.made) return;
-  picture_->showText(status.work == FigureStage::None
-                         ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
-                         : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
+  QString text;
+  if (!status.made)
+    text = status.work == FigureStage::None
+               ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
+               : tr("%1 appears here once it is computed.").arg(figureLabel(chosen()));
+  picture_->setPlaceholder(text);
+  picture_->setAccessibleName(status.made ? translatedText(status.made->figure.sheet.title) : text);
+  picture_->setAccessibleDescription(status.made ? translatedText(status.made->figure.sheet.note)
+                                                 : QString());
 }
 
 void FiguresPage::showChosen() {
   const FigureStatus& status = queue_->status(chosen());
-  showPlaceholder();
+  describePicture();
   if (status.made != shown_) showComputed(status.made);
   // Why a file could not be written stays while the figure is computed again.
   if (status.error.isEmpty())
@@ -278,7 +288,12 @@ void FiguresPage::showChosen() {
 void FiguresPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
   shown_ = std::move(made);
   claims_->setClaims(shown_ ? shown_->figure.claims : std::vector<Claim>());
-  if (shown_) picture_->showFigure(shown_);
+  if (shown_)
+    picture_->showPicture([made = shown_](const DiagramOptions& options) {
+      return composeFigure(made->figure, made->contact.get(), options);
+    });
+  else
+    picture_->clear();
   emit figureShown();
 }
 

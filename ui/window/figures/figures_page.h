@@ -19,8 +19,8 @@ class QSpinBox;
 namespace asperity {
 
 class ClaimsTable;
+class DiagramView;
 class FigureList;
-class FigurePicture;
 class MessageBar;
 
 class FiguresPage : public QWidget {
@@ -34,7 +34,7 @@ class FiguresPage : public QWidget {
   ~FiguresPage() override;
 
   FigureQueue& queue() { return *queue_; }
-  FigurePicture& picture() { return *picture_; }
+  DiagramView& picture() { return *picture_; }
   MessageBar& messages() { return *messages_; }
 
   /// Shows this figure; with `compute`, it is computed where it is missing.
@@ -78,7 +78,7 @@ class FiguresPage : public QWidget {
   void save(const QString& file,
             void (*write)(const std::filesystem::path&, const ComputedFigure&));
   void take(FigureName name);
-  void showPlaceholder();
+  void describePicture();
   void showChosen();
   void showComputed(std::shared_ptr<const ComputedFigure> made);
   void showWork();
@@ -88,7 +88,7 @@ class FiguresPage : public QWidget {
   std::shared_ptr<const ComputedFigure> shown_;  // null: a text is shown
   MessageBar* messages_ = nullptr;
   FigureList* list_ = nullptr;
-  FigurePicture* picture_ = nullptr;
+  DiagramView* picture_ = nullptr;
   ClaimsTable* claims_ = nullptr;
   QSpinBox* realizations_ = nullptr;
   QProgressBar* progress_ = nullptr;

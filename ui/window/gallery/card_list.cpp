@@ -17,7 +17,7 @@ namespace {
 
 enum CardRole { kNameRole = Qt::UserRole, kTitleRole, kSentenceRole };
 
-constexpr int kGap = 10;                       // pixels between cards
+constexpr int kCardGap = 10;                   // pixels between cards
 constexpr int kInside = 10;                    // between the edge of a card and its texts
 constexpr int kMinCard = 236, kMaxCard = 520;  // width of a card, pixels
 constexpr int kDefaultColumns = 4;             // more only where cards would be too wide
@@ -39,7 +39,7 @@ class CardList::Painter : public QStyledItemDelegate {
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     if (!index.data(kNameRole).toString().isEmpty()) return list_.card_;
-    return {std::max(1, list_.viewport()->width() - 2 * kGap),
+    return {std::max(1, list_.viewport()->width() - 2 * kCardGap),
             QFontMetrics(option.font).height() + 12};
   }
 
@@ -122,7 +122,7 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
   setFlow(LeftToRight);
   setWrapping(true);
   setResizeMode(Adjust);
-  setSpacing(kGap / 2);
+  setSpacing(kCardGap / 2);
   setMouseTracking(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   // The width stays when the number of cards changes.

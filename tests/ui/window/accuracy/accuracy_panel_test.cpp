@@ -15,7 +15,7 @@
 #include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/status_line.h"
 
 namespace asperity {
@@ -121,7 +121,7 @@ TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
   EXPECT_TRUE(second.isChecked());
   EXPECT_FALSE(first.isChecked());
   EXPECT_NE(text("regionRange"), range);
-  const auto& picture = control<FigurePicture>("figurePicture");
+  const auto& picture = control<DiagramView>("figurePicture");
   EXPECT_TRUE(picture.accessibleName().endsWith(second.text()));
   EXPECT_TRUE(picture.toolTip().contains("median"));
   // The diagram goes with its scene.

@@ -88,6 +88,21 @@ TEST(DiagramView, SaysWhatCannotBeMade) {
   EXPECT_NE(complaint, view.image());
 }
 
+TEST(DiagramView, APictureThatCannotBeDrawnDoesNotLeaveTheOneBefore) {
+  DiagramView view;
+  view.setPause(0);
+  view.resize(500, 260);
+  view.QWidget::show();
+  view.show([] { return spectrumSheet({}); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  QSignalSpy failures(&view, &DiagramView::failed);
+  view.showPicture([](const DiagramOptions&) -> DrawList { throw std::runtime_error("no room"); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failures.empty(); }, kWait));
+  EXPECT_FALSE(view.isPainted());
+  EXPECT_TRUE(view.image().isNull());
+  EXPECT_TRUE(view.frames().empty());
+}
+
 TEST(DiagramView, TakesTheFocusWhereItCanBeSaved) {
   DiagramView view;
   view.show([] { return spectrumSheet({}); });

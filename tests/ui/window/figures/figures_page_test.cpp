@@ -14,8 +14,8 @@
 
 #include "tests/ui/window/figures/figures_page_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_list.h"
-#include "ui/window/figures/figure_picture.h"
 #include "ui/window/main/message_bar.h"
 
 namespace asperity {
