@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/chart/diagram_axes.h"
+#include "ui/chart/diagram_layout.h"
 
 namespace asperity {
 
@@ -15,16 +16,15 @@ constexpr double kSmall = 20;       // pixels, of a frame that does not fit
 constexpr double kMinLines = 1.8;   // minimum height of a second diagram, in lines of text
 constexpr double kMinAbove = 2.6;   // the same of the first one, above a second one
 constexpr double kMinStrip = 2.0;   // the same of a strip; fewer of them are shown in a low view
-constexpr double kMinTitle = 0.8;   // of its usual size, for the title of a strip
-constexpr std::size_t kStrips = 3;  // from this number of diagrams on, titles are beside them
-constexpr double kBesideGap = 8;    // on either side of those titles
+constexpr double kMinTitle = 0.8;   // of its usual size, for a title of the y-axis
+constexpr double kBesideGap = 8;    // pixels at each side of titles beside strips
 constexpr double kMaxBeside = 0.2;  // part of the width for titles in one line, at most
 
 /// Returns the width of titles beside strips, which are too low for upright titles. A title has one
 /// line where that leaves most of the width to the strips, otherwise two, otherwise one for each
 /// word.
 double besideTitleWidth(const DiagramSheet& sheet, double width, const QFontMetricsF& metrics) {
-  if (sheet.diagrams.size() < kStrips) return 0;
+  if (!hasStrips(sheet)) return 0;
   double whole = 0, halves = 0, words = 0;
   for (const Diagram& diagram : sheet.diagrams) {
     const std::string unit = diagram.y.unit.empty() ? " (10⁻⁸)" : " (m" + diagram.y.unit + ")";
@@ -82,7 +82,7 @@ ChartLayout layOutChart(const DiagramSheet& sheet, const VisibleRange& shown, co
   };
   for (std::size_t i = 1; i < count && beside == 0; ++i) layout.hasTitlesAbove |= isTooLowFor(i);
   if (layout.hasTitlesAbove) gap = line + 5;
-  const double least = (count < kStrips ? kMinLines : kMinStrip) * line;
+  const double least = (hasStrips(sheet) ? kMinStrip : kMinLines) * line;
   while (count > 1 && frameHeight(count - 1) < least) share -= diagrams[--count].height;
   const double width = size.width() - left - right;
   double top = above;

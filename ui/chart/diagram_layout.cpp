@@ -117,6 +117,10 @@ bool hasCommonAxis(const DiagramSheet& sheet) {
   return sheet.sharesAxis && gridFor(sheet).columns == 1;
 }
 
+bool hasStrips(const DiagramSheet& sheet) {
+  return hasCommonAxis(sheet) && sheet.diagrams.size() >= 3;
+}
+
 namespace {
 
 /// Returns the sizes around letters of a given size.

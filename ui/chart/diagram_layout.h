@@ -29,6 +29,10 @@ SheetGrid gridFor(const DiagramSheet& sheet);
 /// Returns whether only the lowest diagram shows the labels of the x-axis.
 bool hasCommonAxis(const DiagramSheet& sheet);
 
+/// Returns whether the diagrams are strips: at least three above a common x-axis, which are too low
+/// for upright titles in words.
+bool hasStrips(const DiagramSheet& sheet);
+
 /// Returns the sizes. Fonts grow with the picture, but more slowly, and always leave space for the
 /// curves.
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options);

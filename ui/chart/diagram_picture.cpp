@@ -168,14 +168,13 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
   return sheet;
 }
 
-/// Returns whether titles above the frames say more than upright ones, of which some are symbols,
-/// and leave the frames nearly as high. Only strips, several above a common axis, are so low.
+/// Returns whether titles above strips say more than upright ones, of which some are symbols, and
+/// leave the frames nearly as high.
 bool areBetterAbove(const DiagramSheet& sheet, const std::vector<DiagramPanel>& upright,
                     const std::vector<DiagramPanel>& above) {
-  constexpr std::size_t kFewestStrips = 3;
   constexpr float kMinHeight = 0.8F;  // of the height
-  if (!hasCommonAxis(sheet) || sheet.diagrams.size() < kFewestStrips) return false;
-  if (std::ranges::all_of(upright, &DiagramPanel::hasTitleInWords)) return false;
+  if (!hasStrips(sheet) || std::ranges::all_of(upright, &DiagramPanel::hasTitleInWords))
+    return false;
   for (std::size_t i = 0; i < upright.size(); ++i)
     if (above[i].frame().height < kMinHeight * upright[i].frame().height) return false;
   return true;
