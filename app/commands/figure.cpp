@@ -20,7 +20,7 @@
 #include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/window/figures/claim_text.h"
+#include "ui/window/figures/claims_table.h"
 
 namespace asperity {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/window/figures/claim_text.h"
+#include "ui/window/figures/claims_table.h"
 
 #include <gtest/gtest.h>
 
