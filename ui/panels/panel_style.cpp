@@ -18,56 +18,70 @@ QColor warningColour(const QPalette& palette) {
   return isDark(palette) ? QColor(0xe3, 0xb3, 0x41) : QColor(0x8a, 0x5a, 0x00);
 }
 
+QString styleSheet(QString rules, const QPalette& palette,
+                   std::initializer_list<std::pair<const char*, QString>> others) {
+  const auto fill = [&rules](const char* name, const QString& value) {
+    rules.replace('@' + QString(name), value);
+  };
+  for (const auto& [name, role] : {std::pair{"window", QPalette::Window},
+                                   {"text", QPalette::WindowText},
+                                   {"faint", QPalette::PlaceholderText},
+                                   {"base", QPalette::Base},
+                                   {"edge", QPalette::Mid},
+                                   {"accent", QPalette::Highlight}})
+    fill(name, palette.color(role).name());
+  fill("error", errorColour(palette).name());
+  fill("warning", warningColour(palette).name());
+  for (const auto& [name, value] : others) fill(name, value);
+  return rules;
+}
+
 QString panelStyleSheet(const QPalette& palette) {
-  const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
-  return QStringLiteral(R"(
-    QScrollArea, #parameterRows { background: %1; }
-    QLabel[role="heading"] { font-weight: bold; color: %2; }
-    QLabel[role="unit"] { color: %3; }
-    #panelBar { background: %1; border-bottom: 1px solid %6; }
-    QToolButton[role^="segment"] { border: 1px solid %6; background: transparent; color: %3;
+  return styleSheet(QStringLiteral(R"(
+    QScrollArea, #parameterRows { background: @window; }
+    QLabel[role="heading"] { font-weight: bold; color: @text; }
+    QLabel[role="unit"] { color: @faint; }
+    #panelBar { background: @window; border-bottom: 1px solid @edge; }
+    QToolButton[role^="segment"] { border: 1px solid @edge; background: transparent; color: @faint;
                                    padding: 1px 9px; min-height: 19px; }
     QToolButton[role="segmentLeft"] { border-top-left-radius: 5px;
                                       border-bottom-left-radius: 5px; }
     QToolButton[role="segmentRight"] { border-top-right-radius: 5px; border-left: none;
                                        border-bottom-right-radius: 5px; }
-    QToolButton[role^="segment"]:checked { background: %5; color: %2; font-weight: bold; }
-    QToolButton[role^="segment"]:hover { color: %2; }
-    QToolButton[role^="segment"]:focus { color: %7; }
-    QLineEdit { background: %5; border: 1px solid %6; border-radius: 5px;
+    QToolButton[role^="segment"]:checked { background: @base; color: @text; font-weight: bold; }
+    QToolButton[role^="segment"]:hover { color: @text; }
+    QToolButton[role^="segment"]:focus { color: @accent; }
+    QLineEdit { background: @base; border: 1px solid @edge; border-radius: 5px;
                 padding: 1px 5px; min-height: 19px; }
-    QPlainTextEdit { background: %5; border: 1px solid %6; border-radius: 5px;
+    QPlainTextEdit { background: @base; border: 1px solid @edge; border-radius: 5px;
                      padding: 0px 1px; }
-    QLineEdit:focus, QPlainTextEdit:focus { border-color: %7; }
-    QLineEdit[refused="true"] { border: 2px solid %4; padding: 0px 4px; }
-    QLineEdit:disabled { background: transparent; color: %3; }
-    QToolButton[role="browse"] { border: 1px solid %6; border-radius: 5px; background: %5;
-                                 color: %2; padding: 1px 7px; min-height: 19px; }
-    QToolButton[role="browse"]:hover, QToolButton[role="browse"]:focus { border-color: %7; }
-    QToolButton[role="browse"]:disabled { background: transparent; color: %3; }
+    QLineEdit:focus, QPlainTextEdit:focus { border-color: @accent; }
+    QLineEdit[refused="true"] { border: 2px solid @error; padding: 0px 4px; }
+    QLineEdit:disabled { background: transparent; color: @faint; }
+    QToolButton[role="browse"] { border: 1px solid @edge; border-radius: 5px; background: @base;
+                                 color: @text; padding: 1px 7px; min-height: 19px; }
+    QToolButton[role="browse"]:hover, QToolButton[role="browse"]:focus { border-color: @accent; }
+    QToolButton[role="browse"]:disabled { background: transparent; color: @faint; }
     QToolButton[role="remove"] { border: 1px solid transparent; border-radius: 5px;
-                                 background: transparent; color: %3; }
-    QToolButton[role="remove"]:hover { color: %4; }
-    QToolButton[role="remove"]:focus { border-color: %7; }
+                                 background: transparent; color: @faint; }
+    QToolButton[role="remove"]:hover { color: @error; }
+    QToolButton[role="remove"]:focus { border-color: @accent; }
     QToolButton[role="remove"]:disabled { color: transparent; }
-    QToolButton[role="reset"] { border: none; background: transparent; color: %3; }
-    QToolButton[role="reset"]:hover { color: %7; }
+    QToolButton[role="reset"] { border: none; background: transparent; color: @faint; }
+    QToolButton[role="reset"]:hover { color: @accent; }
     QToolButton[role="reset"]:disabled { color: transparent; }
-  )")
-             .arg(name(QPalette::Window), name(QPalette::WindowText),
-                  name(QPalette::PlaceholderText), errorColour(palette).name(),
-                  name(QPalette::Base), name(QPalette::Mid), name(QPalette::Highlight)) +
+  )"),
+                    palette) +
          messageStyleSheet(palette);
 }
 
 QString messageStyleSheet(const QPalette& palette) {
-  return QStringLiteral(R"(
-    QLabel[role="error"] { color: %1; padding-bottom: 3px; }
-    QLabel[role="note"] { color: %2; }
-    QLabel[role="warning"] { color: %3; padding-bottom: 3px; }
-  )")
-      .arg(errorColour(palette).name(), palette.color(QPalette::Highlight).name(),
-           warningColour(palette).name());
+  return styleSheet(QStringLiteral(R"(
+    QLabel[role="error"] { color: @error; padding-bottom: 3px; }
+    QLabel[role="note"] { color: @accent; }
+    QLabel[role="warning"] { color: @warning; padding-bottom: 3px; }
+  )"),
+                    palette);
 }
 
 void setStyleProperty(QWidget& widget, const char* name, const QVariant& value) {

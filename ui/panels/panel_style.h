@@ -5,6 +5,8 @@
 #include <QColor>
 #include <QString>
 #include <QVariant>
+#include <initializer_list>
+#include <utility>
 
 class QPalette;
 class QWidget;
@@ -18,6 +20,12 @@ bool isDark(const QPalette& palette);
 QColor errorColour(const QPalette& palette);
 /// Returns that of warnings.
 QColor warningColour(const QPalette& palette);
+
+/// Returns the rules of a style sheet with colours in place of their names, which stand after "@":
+/// "color: @text". A palette has @window, @text, @faint, @base, @edge, @accent, @error and
+/// @warning; others: further ones. No name begins with another one.
+QString styleSheet(QString rules, const QPalette& palette,
+                   std::initializer_list<std::pair<const char*, QString>> others = {});
 
 QString panelStyleSheet(const QPalette& palette);
 /// Returns its rules for labels that are an error, a warning or a note. The style sheet of a window

@@ -38,7 +38,6 @@ constexpr int kSteps = 1000;  // steps of the progress bar
 /// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
 /// bars.
 QString figuresStyleSheet(const QPalette& palette) {
-  const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
   const auto tint = [&](int percent) {
     const QColor accent = palette.color(QPalette::Highlight);
     return QStringLiteral("rgba(%1, %2, %3, %4%)")
@@ -47,25 +46,23 @@ QString figuresStyleSheet(const QPalette& palette) {
         .arg(accent.blue())
         .arg(percent);
   };
-  return QStringLiteral(R"(
-    #figuresBar { background: %1; border-top: 1px solid %3; }
-    #figuresNote { color: %6; }
-    QPushButton { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
+  return styleSheet(QStringLiteral(R"(
+    #figuresBar { background: @window; border-top: 1px solid @edge; }
+    #figuresNote { color: @faint; }
+    QPushButton { background: @base; color: @text; border: 1px solid @edge; border-radius: 6px;
                   padding: 5px 12px; }
-    QPushButton:hover, QPushButton:focus { border-color: %4; }
-    QPushButton:pressed { background: %3; }
-    QPushButton:disabled { background: transparent; color: %6; }
-    QProgressBar { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
+    QPushButton:hover, QPushButton:focus { border-color: @accent; }
+    QPushButton:pressed { background: @edge; }
+    QPushButton:disabled { background: transparent; color: @faint; }
+    QProgressBar { background: @base; color: @text; border: 1px solid @edge; border-radius: 6px;
                    text-align: center; min-height: 26px; }
-    QProgressBar::chunk { background: %7; border-radius: 5px; }
-    QTableWidget { selection-background-color: %8; }
-    QHeaderView { background: %1; border: none; }
-    QHeaderView::section { background: %1; color: %6; border: none;
-                           border-bottom: 1px solid %3; padding: 5px 8px; }
-  )")
-      .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::Mid),
-           name(QPalette::Highlight), name(QPalette::Base), name(QPalette::PlaceholderText),
-           tint(35), tint(18));
+    QProgressBar::chunk { background: @progress; border-radius: 5px; }
+    QTableWidget { selection-background-color: @selection; }
+    QHeaderView { background: @window; border: none; }
+    QHeaderView::section { background: @window; color: @faint; border: none;
+                           border-bottom: 1px solid @edge; padding: 5px 8px; }
+  )"),
+                    palette, {{"progress", tint(35)}, {"selection", tint(18)}});
 }
 
 }  // namespace

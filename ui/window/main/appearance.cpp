@@ -17,6 +17,90 @@ namespace asperity {
 
 namespace {
 
+/// The rules for the bars, menus, tabs and docks of a window.
+const QString kWindowRules = QStringLiteral(R"(
+    QMainWindow, QStatusBar, QToolBar, QMenuBar, QDockWidget { background: @window; color: @text; }
+    QMainWindow::separator { background: @edge; width: 1px; height: 1px; }
+    QMenuBar { padding: 2px 6px; border: none; }
+    QMenuBar::item { padding: 4px 9px; border-radius: 5px; background: transparent; }
+    QMenuBar::item:selected { background: @hovered; }
+    QMenu { background: @window; color: @text; border: 1px solid @edge; padding: 5px; }
+    QMenu::item { padding: 5px 26px 5px 14px; border-radius: 4px; }
+    QMenu::item:selected { background: @hovered; }
+    QMenu::item:disabled { color: @faint; }
+    QMenu::separator { height: 1px; background: @edge; margin: 5px 8px; }
+    QToolBar { border: none; border-bottom: 1px solid @edge; padding: 2px 8px 5px 8px; spacing: 4px; }
+    QToolBar::separator { background: @edge; width: 1px; margin: 5px 6px; }
+    QToolBar QToolButton { border: none; border-radius: 6px; padding: 5px 8px; color: @text; }
+    QToolBar QToolButton:disabled { color: @faint; }
+    QToolBar QToolButton:hover { background: @hovered; }
+    QToolBar QToolButton:pressed { background: @edge; }
+    QToolBar QToolButton:checked { background: @hovered; }
+    QToolBar QToolButton::menu-indicator { image: none; }
+    QToolBar #qt_toolbar_ext_button { padding: 0; border-radius: 3px; }
+    QStatusBar { border-top: 1px solid @edge; }
+    QStatusBar::item { border: none; }
+    QStatusBar QLabel:disabled, QStatusBar QToolButton:disabled { color: @faint; }
+    QSplitter::handle { background: @edge; }
+    QSplitter::handle:hover { background: @accent; }
+    #messageBar { background: @alert; border: none; }
+    #messageBar QLabel { color: @onAlert; }
+    #messageBar QToolButton { border: none; color: @onAlert; }
+    #messageBar[note="true"] { background: @tint; border-bottom: 1px solid @edge; }
+    #messageBar[note="true"] QLabel { color: @text; }
+    #messageBar[note="true"] QToolButton { color: @faint; }
+    #shortcutKeys { border: 1px solid @edge; border-radius: 4px; padding: 1px 6px; color: @text; }
+    #descriptionBar { background: @window; border: none; border-bottom: 1px solid @edge; }
+    #descriptionBar QLabel { color: @text; }
+    #descriptionBar QToolButton { border: none; color: @faint; }
+    #descriptionBar #moreOfMessage { color: @accent; }
+    #hintBar, #tourBar { background: @tint; border: none; border-bottom: 1px solid @edge; }
+    #hintBar QLabel, #tourBar QLabel { color: @text; }
+    #hintBar QToolButton { border: none; color: @faint; }
+    #hintBar QPushButton, #tourBar QPushButton { border: 1px solid @edge; border-radius: 5px;
+      background: @window; color: @text; padding: 3px 12px; }
+    #hintBar QPushButton:hover, #tourBar QPushButton:hover,
+    #hintBar QPushButton:focus, #tourBar QPushButton:focus { border-color: @accent; }
+    #tourBar QPushButton:disabled { color: @faint; }
+    QTabWidget::pane { border: none; }
+    QTabWidget QTabBar::tab { background: transparent; color: @faint; padding: 6px 14px; border: none;
+      border-bottom: 2px solid transparent; }
+    QTabWidget QTabBar[crowded="1"]::tab { padding: 6px 7px; }
+    QTabWidget QTabBar[crowded="2"]::tab { padding: 6px 4px; }
+    QTabWidget QTabBar::tab:hover { color: @text; }
+    QTabWidget QTabBar::tab:disabled { color: @edge; }
+    QTabWidget QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
+    #fitButton { border: none; border-radius: 5px; margin: 4px 8px 4px 4px; padding: 3px 10px;
+      background: @hovered; color: @text; }
+    #fitButton:hover { background: @edge; }
+    #fitButton:focus { border: 1px solid @accent; padding: 2px 9px; }
+    #fitKeys QHeaderView::section, #planList QHeaderView::section { background: @window; color: @faint; border: none; padding: 4px 6px; }
+    #planList QHeaderView::section { padding: 4px 3px; }
+    #planList { padding-left: 11px; background: @view; }
+    #planList::item:disabled { color: @faint; }
+    #regionPictures { background: @view; }
+    #regionBar QLabel { color: @faint; }
+    #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: @faint; }
+    #regionBar QToolButton:hover { background: @hovered; color: @text; }
+    #regionBar QToolButton:checked { background: @hovered; color: @text; }
+    #regionBar QToolButton:focus { border: 1px solid @accent; padding: 1px 8px; }
+    #dockTitle { background: @window; border-bottom: 1px solid @edge; }
+    #dockTitle QLabel { color: @faint; }
+    #dockTitle #lessonTitle { color: @text; }
+    #dockTitle QToolButton { border: none; border-radius: 4px; color: @faint; padding: 2px 6px; }
+    #dockTitle QToolButton:hover { background: @hovered; color: @text; }
+    #dockTitle QToolButton[role="framed"] { border: 1px solid @edge; color: @text; }
+    #dockTitle QToolButton[role="framed"]:focus { border-color: @accent; }
+    QToolTip { background: @window; color: @text; border: 1px solid @edge; padding: 3px; }
+    QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
+    QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height: 30px; }
+    QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
+    QScrollBar::handle:horizontal { background: @edge; border-radius: 4px; min-width: 30px; }
+    QScrollBar::handle:disabled { background: transparent; }
+    QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+    QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+  )");
+
 /// Returns the colour of everything that can be dragged; it is legible on the panels of both
 /// themes.
 QColor accentColour(const Theme& theme) {
@@ -75,99 +159,16 @@ double presentationScale(const QSizeF& screen) {
 }
 
 QString windowStyleSheet(const Theme& theme) {
+  const QPalette palette = themePalette(theme);
   const QColor panel = panelColour(theme);
-  const QColor text = toQColor(theme.text);
   const bool dark = isDark(theme);
-  return QStringLiteral(R"(
-    QMainWindow, QStatusBar, QToolBar, QMenuBar, QDockWidget { background: %1; color: %2; }
-    QMainWindow::separator { background: %3; width: 1px; height: 1px; }
-    QMenuBar { padding: 2px 6px; border: none; }
-    QMenuBar::item { padding: 4px 9px; border-radius: 5px; background: transparent; }
-    QMenuBar::item:selected { background: %4; }
-    QMenu { background: %1; color: %2; border: 1px solid %3; padding: 5px; }
-    QMenu::item { padding: 5px 26px 5px 14px; border-radius: 4px; }
-    QMenu::item:selected { background: %4; }
-    QMenu::item:disabled { color: %6; }
-    QMenu::separator { height: 1px; background: %3; margin: 5px 8px; }
-    QToolBar { border: none; border-bottom: 1px solid %3; padding: 2px 8px 5px 8px; spacing: 4px; }
-    QToolBar::separator { background: %3; width: 1px; margin: 5px 6px; }
-    QToolBar QToolButton { border: none; border-radius: 6px; padding: 5px 8px; color: %2; }
-    QToolBar QToolButton:disabled { color: %6; }
-    QToolBar QToolButton:hover { background: %4; }
-    QToolBar QToolButton:pressed { background: %3; }
-    QToolBar QToolButton:checked { background: %4; }
-    QToolBar QToolButton::menu-indicator { image: none; }
-    QToolBar #qt_toolbar_ext_button { padding: 0; border-radius: 3px; }
-    QStatusBar { border-top: 1px solid %3; }
-    QStatusBar::item { border: none; }
-    QStatusBar QLabel:disabled, QStatusBar QToolButton:disabled { color: %6; }
-    QSplitter::handle { background: %3; }
-    QSplitter::handle:hover { background: %5; }
-    #messageBar { background: %7; border: none; }
-    #messageBar QLabel { color: %8; }
-    #messageBar QToolButton { border: none; color: %8; }
-    #messageBar[note="true"] { background: %9; border-bottom: 1px solid %3; }
-    #messageBar[note="true"] QLabel { color: %2; }
-    #messageBar[note="true"] QToolButton { color: %6; }
-    #shortcutKeys { border: 1px solid %3; border-radius: 4px; padding: 1px 6px; color: %2; }
-    #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
-    #descriptionBar QLabel { color: %2; }
-    #descriptionBar QToolButton { border: none; color: %6; }
-    #descriptionBar #moreOfMessage { color: %5; }
-    #hintBar, #tourBar { background: %9; border: none; border-bottom: 1px solid %3; }
-    #hintBar QLabel, #tourBar QLabel { color: %2; }
-    #hintBar QToolButton { border: none; color: %6; }
-    #hintBar QPushButton, #tourBar QPushButton { border: 1px solid %3; border-radius: 5px;
-      background: %1; color: %2; padding: 3px 12px; }
-    #hintBar QPushButton:hover, #tourBar QPushButton:hover,
-    #hintBar QPushButton:focus, #tourBar QPushButton:focus { border-color: %5; }
-    #tourBar QPushButton:disabled { color: %6; }
-    QTabWidget::pane { border: none; }
-    QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
-      border-bottom: 2px solid transparent; }
-    QTabWidget QTabBar[crowded="1"]::tab { padding: 6px 7px; }
-    QTabWidget QTabBar[crowded="2"]::tab { padding: 6px 4px; }
-    QTabWidget QTabBar::tab:hover { color: %2; }
-    QTabWidget QTabBar::tab:disabled { color: %3; }
-    QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
-    #fitButton { border: none; border-radius: 5px; margin: 4px 8px 4px 4px; padding: 3px 10px;
-      background: %4; color: %2; }
-    #fitButton:hover { background: %3; }
-    #fitButton:focus { border: 1px solid %5; padding: 2px 9px; }
-    #fitKeys QHeaderView::section, #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
-    #planList QHeaderView::section { padding: 4px 3px; }
-    #planList { padding-left: 11px; background: %10; }
-    #planList::item:disabled { color: %6; }
-    #regionPictures { background: %10; }
-    #regionBar QLabel { color: %6; }
-    #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: %6; }
-    #regionBar QToolButton:hover { background: %4; color: %2; }
-    #regionBar QToolButton:checked { background: %4; color: %2; }
-    #regionBar QToolButton:focus { border: 1px solid %5; padding: 1px 8px; }
-    #dockTitle { background: %1; border-bottom: 1px solid %3; }
-    #dockTitle QLabel { color: %6; }
-    #dockTitle #lessonTitle { color: %2; }
-    #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
-    #dockTitle QToolButton:hover { background: %4; color: %2; }
-    #dockTitle QToolButton[role="framed"] { border: 1px solid %3; color: %2; }
-    #dockTitle QToolButton[role="framed"]:focus { border-color: %5; }
-    QToolTip { background: %1; color: %2; border: 1px solid %3; padding: 3px; }
-    QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
-    QScrollBar::handle:vertical { background: %3; border-radius: 4px; min-height: 30px; }
-    QScrollBar:horizontal { background: transparent; height: 9px; margin: 0; }
-    QScrollBar::handle:horizontal { background: %3; border-radius: 4px; min-width: 30px; }
-    QScrollBar::handle:disabled { background: transparent; }
-    QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
-    QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
-  )")
-             .arg(panel.name(), text.name(), edgeColour(theme).name(),
-                  mixed(panel, text, 0.1).name(), accentColour(theme).name(),
-                  toQColor(theme.faintText).name(),
-                  dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
-                  dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
-                  mixed(panel, accentColour(theme), 0.12).name(),
-                  toQColor(theme.background).name()) +
-         messageStyleSheet(themePalette(theme));
+  return styleSheet(kWindowRules, palette,
+                    {{"hovered", mixed(panel, toQColor(theme.text), 0.1).name()},
+                     {"tint", mixed(panel, accentColour(theme), 0.12).name()},
+                     {"alert", dark ? "#5b2a2a" : "#fde3e1"},
+                     {"onAlert", dark ? "#ffd9d6" : "#8c1d18"},
+                     {"view", toQColor(theme.background).name()}}) +
+         messageStyleSheet(palette);
 }
 
 Appearance::Appearance(QWidget& window)
