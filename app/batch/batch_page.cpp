@@ -129,29 +129,26 @@ bool hasTotal(const BatchResult& result) {
 /// Returns the means, each with its standard error where it has one, and beside them the results of
 /// the line that is shown. A scene of one line has only the latter.
 std::string readings(const BatchResult& result) {
-  const std::string mu = shortNumber(result.lineMu, 4);
-  const std::string contact = shortPercent(result.lineContactFraction);
-  const std::string indentation = quantity(result.lineIndentation, "m", 4);
   const auto& mean = result.mean;
-  if (!mean || mean->realizations <= 1)
-    return row(mean ? Words::tr("coefficient of friction")
-                    : Words::tr("coefficient of friction at the end, of the line shown"),
-               mu) +
-           (hasTotal(result)
-                ? row(translated(Message("with local friction")), shortNumber(totalMu(*mean), 4))
-                : std::string()) +
-           row(Words::tr("in contact"), contact) + row(Words::tr("indentation"), indentation);
-  const auto both = [](const std::string& all, const std::string& own) {
-    return filled(Words::tr("%1 (line shown: %2)"), {all, own});
+  const bool hasLines = mean && mean->realizations > 1;
+  const auto beside = [&](const std::string& ofMean, const std::string& own) {
+    return hasLines ? filled(Words::tr("%1 (line shown: %2)"), {ofMean, own}) : own;
   };
-  return row(filled(Words::tr("coefficient of friction, mean of %1 lines"),
-                    {std::to_string(mean->realizations)}),
-             both(withError(mean->mu, mean->muStandardError), mu)) +
-         (hasTotal(result)
-              ? row(translated(Message("with local friction")), shortNumber(totalMu(*mean), 4))
-              : std::string()) +
-         row(Words::tr("in contact"), both(shortPercent(mean->contactFraction), contact)) +
-         row(Words::tr("indentation"), both(quantity(mean->indentation, "m", 4), indentation));
+  const CurvePoint shown = mean.value_or(CurvePoint{});
+  std::string name = mean ? Words::tr("coefficient of friction")
+                          : Words::tr("coefficient of friction at the end, of the line shown");
+  if (hasLines)
+    name = filled(Words::tr("coefficient of friction, mean of %1 lines"),
+                  {std::to_string(shown.realizations)});
+  std::string rows =
+      row(name, beside(withError(shown.mu, shown.muStandardError), shortNumber(result.lineMu, 4)));
+  if (hasTotal(result))
+    rows += row(translated(Message("with local friction")), shortNumber(totalMu(*mean), 4));
+  return rows +
+         row(Words::tr("in contact"), beside(shortPercent(shown.contactFraction),
+                                             shortPercent(result.lineContactFraction))) +
+         row(Words::tr("indentation"),
+             beside(quantity(shown.indentation, "m", 4), quantity(result.lineIndentation, "m", 4)));
 }
 
 std::string article(const BatchResult& result) {
