@@ -21,7 +21,7 @@ struct CurveAtVelocity {
   double mu = kNotApplicable;     // mean over the lines
   double error = kNotApplicable;  // standard error of mu
   std::int64_t lines = 0;         // over which mu is a mean
-  std::string region{};           // "III"
+  std::string region{};           // "III"; empty: not known
   NoteSet notes{};                // what limits these results
 };
 

@@ -26,10 +26,7 @@ QStringList stateSentences(const Session& session) {
   if (!session.frame()) return {};
   const Frame& frame = *session.frame();
   CurveAtVelocity curve;
-  if (!session.friction().isConcealed()) {
-    const CurveReading reading = readCurve(frame, session.curve());
-    curve = {reading.mu, reading.error, reading.lines, reading.region, reading.notes};
-  }
+  if (!session.friction().isConcealed()) curve = readCurve(frame, session.curve());
   curve.notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
   QStringList sentences;
   for (const Message& sentence : describeContact(frame, curve))

@@ -3,23 +3,17 @@
 #pragma once
 
 #include <QString>
-#include <cstdint>
 #include <optional>
-#include <string>
 
-#include "core/run/frame.h"
+#include "core/run/contact_state.h"
 #include "core/run/runner.h"
 
 namespace asperity {
 
-struct CurveReading {
-  double mu = kNotApplicable;             // mean over the lines, interpolated on the curve
-  double error = kNotApplicable;          // standard error of mu
+/// The notes are those of the curve's points on both sides of the velocity.
+struct CurveReading : CurveAtVelocity {
   bool isInterpolated = false;            // mu lies between two points of the curve
-  std::int64_t lines = 0;                 // over which mu is a mean
-  std::string region{};                   // "III"; empty: not known
   QString regime;                         // "region III, plateau", "at rest"; empty: not known
-  NoteSet notes{};                        // of the curve's points on both sides of the velocity
   std::optional<Message> missedTarget{};  // why the curve misses the target of its scene
 };
 
