@@ -15,7 +15,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
-#include "ui/draw/tiff_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 
 namespace asperity {

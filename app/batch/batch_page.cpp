@@ -11,7 +11,7 @@
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
 #include "core/scene/parameters.h"
-#include "ui/draw/svg_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

@@ -24,7 +24,7 @@
 #include "core/surface/surface_file.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_probe.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -324,7 +324,7 @@ class Rendering {
       {
         const StageTimer timer(seconds.encode);
         png = encodePng(image,
-                        {translated(scene_.title), sequence.metadata(index), 96 * settings_.scale});
+                        settings_.properties(translated(scene_.title), sequence.metadata(index)));
       }
       const StageTimer timer(seconds.write);
       writeFileAtomically(sequence.file(index), png);

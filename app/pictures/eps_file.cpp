@@ -73,14 +73,15 @@ void checkEpsTool(const std::string& file) {
                      "needs no other program");
 }
 
-void writeEps(const std::string& file, const DrawList& list, const PdfOptions& options) {
+void writeEps(const std::string& file, const DrawList& list, const PictureProperties& properties) {
   const auto fail = [&](const std::string& why) {
     throw std::runtime_error(printable(file) + ": cannot be written: " + printable(why));
   };
   const bool isImage = std::ranges::any_of(list.layers, isSoft);
-  const std::string pdf = pdfBytes(isImage ? list : opaque(list), options);
+  const std::string pdf = pdfBytes(isImage ? list : opaque(list), properties);
   constexpr double kPointsPerInch = 72;
-  const auto dotsPerInch = QString::number(std::lround(kPointsPerInch / options.pointsPerPixel));
+  const auto dotsPerInch =
+      QString::number(std::lround(kPointsPerInch / properties.pointsPerPixel()));
   const QString rasterize = isImage ? QStringLiteral("always") : QStringLiteral("never");
   QProcess tool;
   tool.start(QString::fromStdString(findProgram(kTool)),
@@ -100,7 +101,7 @@ void writeEps(const std::string& file, const DrawList& list, const PdfOptions& o
   const std::size_t header = eps.find(end);
   if (tool.exitCode() != 0 || !eps.starts_with("%!PS") || header == eps.npos)
     fail("pdftops failed: " + tool.readAllStandardError().simplified().toStdString());
-  eps.insert(header + end.size(), metadataComments(options.metadata));
+  eps.insert(header + end.size(), metadataComments(properties.metadata));
   writeFileAtomically(file, eps);
 }
 

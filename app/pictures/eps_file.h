@@ -5,8 +5,7 @@
 
 #include <string>
 
-#include "ui/draw/draw_list.h"
-#include "ui/draw/pdf_file.h"
+#include "ui/draw/picture_file.h"
 
 namespace asperity {
 
@@ -15,6 +14,6 @@ void checkEpsTool(const std::string& file);
 
 /// Writes the file, complete or not at all. The metadata are in comments "%asperity: ..." after the
 /// header. Throws std::runtime_error in one sentence that names the file.
-void writeEps(const std::string& file, const DrawList& list, const PdfOptions& options);
+void writeEps(const std::string& file, const DrawList& list, const PictureProperties& properties);
 
 }  // namespace asperity

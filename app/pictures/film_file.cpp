@@ -21,7 +21,7 @@
 #include "core/base/input_error.h"
 #include "core/base/program.h"
 #include "core/base/text.h"
-#include "ui/draw/svg_file.h"
+#include "ui/draw/picture_file.h"
 
 namespace asperity {
 namespace {

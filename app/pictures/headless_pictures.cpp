@@ -9,7 +9,6 @@
 #include "app/pictures/eps_file.h"
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/tiff_file.h"
 
 namespace asperity {
 namespace {
@@ -51,9 +50,9 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
   else if (extension == ".svg" || extension == ".pdf")
     writePicture(file, list, properties);
   else if (extension == ".eps")
-    writeEps(file, list, pdfOptions(properties));
+    writeEps(file, list, properties);
   else if (extension == ".tif" || extension == ".tiff")
-    writeTiff(file, draw(list), pngOptions(properties));
+    writeTiff(file, draw(list), properties);
   else
     throw unknownExtension(file, extension, kPictureExtensions);
 }
@@ -63,7 +62,7 @@ void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
   QImage image = draw(list);
   finish();
   writing_ = std::async(std::launch::async, [file, properties, image = std::move(image)] {
-    asperity::writePng(file, image, pngOptions(properties));
+    asperity::writePng(file, image, properties);
   });
 }
 

@@ -11,7 +11,7 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/scene/provenance.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 
 namespace asperity {
 namespace {

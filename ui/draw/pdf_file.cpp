@@ -1,4 +1,4 @@
-#include "ui/draw/pdf_file.h"
+#include "ui/draw/picture_file.h"
 
 #include <QBuffer>
 #include <QHashFunctions>
@@ -12,7 +12,6 @@
 #include "core/base/atomic_file.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
-#include "ui/draw/svg_file.h"
 #include "ui/draw/vector_shapes.h"
 
 namespace asperity {
@@ -140,7 +139,7 @@ void blankDate(QByteArray& pdf) {
   for (qsizetype i = from; i >= 0 && i <= to; ++i) pdf[i] = ' ';
 }
 
-std::string pdfBytes(const DrawList& list, const PdfOptions& options) {
+std::string pdfBytes(const DrawList& list, const PictureProperties& properties) {
   // Qt lists the fonts in the order of a hash, which would differ in every process.
   QHashSeed::setDeterministicGlobalSeed();
   QByteArray bytes;
@@ -148,17 +147,18 @@ std::string pdfBytes(const DrawList& list, const PdfOptions& options) {
   buffer.open(QIODevice::WriteOnly);
   {
     QPdfWriter writer(&buffer);
-    const QSizeF page(list.width * options.pointsPerPixel, list.height * options.pointsPerPixel);
+    const QSizeF page(list.width * properties.pointsPerPixel(),
+                      list.height * properties.pointsPerPixel());
     writer.setPageSize(QPageSize(page, QPageSize::Point, QString(), QPageSize::ExactMatch));
     writer.setPageMargins({0, 0, 0, 0});
     writer.setResolution(kResolution);
-    writer.setTitle(QString::fromStdString(options.title));
+    writer.setTitle(QString::fromStdString(properties.title));
     writer.setCreator(QStringLiteral("Asperity"));
     writer.setDocumentXmpMetadata(
-        QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
+        QByteArray::fromStdString(xmpPacket(properties.title, properties.metadata)));
     QPainter painter;
     if (!painter.begin(&writer)) throw std::runtime_error("The picture cannot be written as PDF.");
-    const double scale = options.pointsPerPixel * kResolution / kPointsPerInch;
+    const double scale = properties.pointsPerPixel() * kResolution / kPointsPerInch;
     painter.setRenderHint(QPainter::LosslessImageRendering);
     painter.scale(scale, scale);
     paintList(painter, list);
@@ -168,8 +168,9 @@ std::string pdfBytes(const DrawList& list, const PdfOptions& options) {
   return bytes.toStdString();
 }
 
-void writePdf(const std::filesystem::path& path, const DrawList& list, const PdfOptions& options) {
-  writeFileAtomically(path, pdfBytes(list, options));
+void writePdf(const std::filesystem::path& path, const DrawList& list,
+              const PictureProperties& properties) {
+  writeFileAtomically(path, pdfBytes(list, properties));
 }
 
 }  // namespace asperity

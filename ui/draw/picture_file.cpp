@@ -8,40 +8,20 @@
 #include "core/scene/provenance.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
-#include "ui/draw/svg_file.h"
 #include "ui/language/language.h"
 
 namespace asperity {
-
-namespace {
-
-constexpr double kPixelsPerInch = 96;
-constexpr double kPointsPerPixel = 72 / kPixelsPerInch;
-constexpr double kMillimetresPerPixel = 25.4 / kPixelsPerInch;
-
-}  // namespace
-
-PngOptions pngOptions(const PictureProperties& properties) {
-  return {properties.title, properties.metadata, kPixelsPerInch * properties.scale};
-}
-
-PdfOptions pdfOptions(const PictureProperties& properties) {
-  return {properties.title, properties.metadata, kPointsPerPixel / properties.scale};
-}
 
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureProperties& properties) {
   const std::string extension = lowerCase(file.extension().string());
   if (extension == ".png") {
     checkWritable(file);
-    writePng(file, renderImage(contextOfThread(), picture), pngOptions(properties));
+    writePng(file, renderImage(contextOfThread(), picture), properties);
   } else if (extension == ".svg") {
-    writeSvg(file, picture,
-             {.title = properties.title,
-              .metadata = properties.metadata,
-              .millimetres = properties.isOnPaper ? kMillimetresPerPixel / properties.scale : 0});
+    writeSvg(file, picture, properties);
   } else if (extension == ".pdf") {
-    writePdf(file, picture, pdfOptions(properties));
+    writePdf(file, picture, properties);
   } else {
     throw unknownExtension(file.string(), file.extension().string(), {".png", ".svg", ".pdf"});
   }

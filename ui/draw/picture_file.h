@@ -1,35 +1,97 @@
-// Pictures as files of any format, with the texts and the size that such a file contains besides
-// the picture. Needs a QGuiApplication and loadFonts(). Threading: any thread on which no OpenGL
-// context of a window is current, one at a time.
+// Pictures as files: PNG and TIFF of pixels, SVG and PDF of shapes, with texts as texts and the
+// used part of the fonts inside. The same picture gives the same bytes: no date, no random
+// identifier. A file is complete or absent. Threading: PDF and writePicture() need a
+// QGuiApplication and loadFonts(), one thread at a time, and no OpenGL context of a window may be
+// current on it; all else: any thread.
 #pragma once
 
+#include <QImage>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "core/scene/scene.h"
 #include "ui/draw/draw_list.h"
-#include "ui/draw/pdf_file.h"
-#include "ui/draw/png_file.h"
+
+class QByteArray;
 
 namespace asperity {
 
+/// The texts and the size that a file contains besides the picture.
 struct PictureProperties {
-  std::string title;       // of the document; empty: none
-  std::string metadata;    // any UTF-8 text; the program writes the provenance; empty: none
+  std::string title{};     // of the document; empty: none
+  std::string metadata{};  // any UTF-8 text; the program writes the provenance; empty: none
   double scale = 1;        // pixels of the picture to one pixel at 96 per inch: its size on paper
   bool isOnPaper = false;  // the size was given as lengths: an SVG has them in millimetres
-};
 
-/// Return the options of a format for these properties; those of PNG serve for TIFF, those of PDF
-/// for EPS.
-PngOptions pngOptions(const PictureProperties& properties);
-PdfOptions pdfOptions(const PictureProperties& properties);
+  double dotsPerInch() const { return 96 * scale; }
+  double pointsPerPixel() const { return 0.75 / scale; }
+};
 
 /// Writes PNG, SVG or PDF, by the extension in small or capital letters. Throws InputError for any
 /// other one, and as writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureProperties& properties);
+
+// ---- Pixels
+
+/// Returns the file's bytes: 24-bit where the picture is opaque, otherwise 32-bit. Texts are in the
+/// chunks "Title" and "asperity"; a picture of scale 0 has no size on paper. Throws
+/// std::runtime_error for an empty picture.
+std::string encodePng(const QImage& image, const PictureProperties& properties = {.scale = 0});
+
+/// Writes beside the final name and renames; an existing file is replaced. After a failure nothing
+/// is left behind, an existing file is unchanged, and std::runtime_error gives the reason in one
+/// sentence that names the file.
+void writePng(const std::filesystem::path& path, const QImage& image,
+              const PictureProperties& properties);
+
+/// Returns the text chunk "asperity" of a PNG's bytes; empty where there is none.
+std::string pngMetadata(std::string_view bytes);
+
+/// Returns whether no pixel of an image in the format RGBA8888 is transparent.
+bool isOpaque(const QImage& image);
+
+/// Returns whether this program was built with libtiff.
+bool canWriteTiff();
+
+/// Writes RGB, or RGBA where the picture is not opaque, compressed without loss (LZW), as
+/// publishers want it that accept no other format; the metadata as "asperity: ..." in the
+/// description of the image. Throws std::runtime_error for an empty picture, and as
+/// writeFileAtomically.
+void writeTiff(const std::filesystem::path& path, const QImage& image,
+               const PictureProperties& properties);
+
+// ---- Shapes
+
+std::string svgText(const DrawList& list, const PictureProperties& properties = {});
+
+/// Writes the file as writeFileAtomically.
+void writeSvg(const std::filesystem::path& path, const DrawList& list,
+              const PictureProperties& properties);
+
+/// Returns the text with markup characters escaped, and characters that XML cannot contain replaced
+/// by U+FFFD.
+std::string xmlText(std::string_view utf8);
+
+/// Returns the XMP packet of a file: title and description where they are not empty, no date, no
+/// identifier.
+std::string xmpPacket(const std::string& title, const std::string& description);
+
+/// Returns a page of the size of the picture. Throws std::runtime_error where Qt cannot write a
+/// PDF.
+std::string pdfBytes(const DrawList& list, const PictureProperties& properties = {});
+
+/// Writes blanks over the date of creation in a PDF that Qt made, so that offsets stay valid; the
+/// date is the only content that does not depend on what is drawn.
+void blankDate(QByteArray& pdf);
+
+/// Writes the file as writeFileAtomically.
+void writePdf(const std::filesystem::path& path, const DrawList& list,
+              const PictureProperties& properties);
+
+// ---- Provenance
 
 /// Adds "language" to a picture's provenance, unless it is English.
 void addLanguage(nlohmann::ordered_json& picture);

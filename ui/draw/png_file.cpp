@@ -1,5 +1,3 @@
-#include "ui/draw/png_file.h"
-
 #include <libdeflate.h>
 #include <QtEndian>
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
+#include "ui/draw/picture_file.h"
 
 namespace asperity {
 namespace {
@@ -101,7 +100,7 @@ bool isOpaque(const QImage& image) {
   return true;
 }
 
-std::string encodePng(const QImage& given, const PngOptions& options) {
+std::string encodePng(const QImage& given, const PictureProperties& properties) {
   if (given.isNull()) throw std::runtime_error("an empty picture cannot be encoded as PNG");
   // In an opaque picture, both formats have the same bytes.
   const bool isRgba = given.format() == QImage::Format_RGBA8888_Premultiplied;
@@ -115,22 +114,23 @@ std::string encodePng(const QImage& given, const PngOptions& options) {
            bigEndian(static_cast<std::uint32_t>(image.width())) +
                bigEndian(static_cast<std::uint32_t>(image.height())) +
                std::string{8, kind, 0, 0, 0});
-  if (options.dotsPerInch > 0) {
+  if (properties.scale > 0) {
     const std::string density =
-        bigEndian(static_cast<std::uint32_t>(std::lround(options.dotsPerInch / 0.0254)));
+        bigEndian(static_cast<std::uint32_t>(std::lround(properties.dotsPerInch() / 0.0254)));
     addChunk(png, "pHYs", density + density + '\1');  // pixels per metre
   }
-  addText(png, "Title", options.title);
-  addText(png, kMetadataKey, options.metadata);
+  addText(png, "Title", properties.title);
+  addText(png, kMetadataKey, properties.metadata);
   addChunk(png, "IDAT", deflated(channels == 3 ? filteredRows<3>(image) : filteredRows<4>(image)));
   addChunk(png, "IEND", {});
   return png;
 }
 
-void writePng(const std::filesystem::path& path, const QImage& image, const PngOptions& options) {
+void writePng(const std::filesystem::path& path, const QImage& image,
+              const PictureProperties& properties) {
   if (image.isNull())
     throw std::runtime_error(path.string() + ": the picture cannot be encoded as PNG");
-  writeFileAtomically(path, encodePng(image, options));
+  writeFileAtomically(path, encodePng(image, properties));
 }
 
 std::string pngMetadata(std::string_view bytes) {

@@ -1,4 +1,4 @@
-#include "ui/draw/svg_file.h"
+#include "ui/draw/picture_file.h"
 
 #include <QString>
 #include <array>
@@ -10,7 +10,6 @@
 #include "core/base/atomic_file.h"
 #include "ui/draw/font_choice.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/png_file.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/vector_shapes.h"
 
@@ -18,6 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr double kSteps = 100;  // coordinates are kept to a hundredth of a pixel
+constexpr double kMillimetresPerPixel = 25.4 / 96;
 
 /// Returns a number of hundredths as a short decimal: "-0.5", "12", "3.07".
 std::string hundredths(std::int64_t value) {
@@ -96,7 +96,8 @@ void appendPath(std::string& path, const Polyline& line, bool closed) {
 
 class SvgWriter {
  public:
-  SvgWriter(const DrawList& list, const SvgOptions& options) : list_(list), options_(options) {}
+  SvgWriter(const DrawList& list, const PictureProperties& properties)
+      : list_(list), properties_(properties) {}
 
   std::string write() {
     for (const DrawLayer& layer : list_.layers) {
@@ -107,18 +108,19 @@ class SvgWriter {
     const std::string width = std::to_string(list_.width), height = std::to_string(list_.height);
     std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     const auto side = [&](int pixels) {
-      if (!(options_.millimetres > 0)) return std::to_string(pixels);
+      if (!properties_.isOnPaper) return std::to_string(pixels);
       char text[32];
-      const auto end = std::to_chars(text, text + sizeof text, pixels * options_.millimetres,
+      const auto end = std::to_chars(text, text + sizeof text,
+                                     pixels * (kMillimetresPerPixel / properties_.scale),
                                      std::chars_format::general, 6);
       return std::string(text, end.ptr) + "mm";
     };
     svg += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + side(list_.width) +
            "\" height=\"" + side(list_.height) + "\" viewBox=\"0 0 " + width + " " + height +
            "\">\n";
-    if (!options_.title.empty()) svg += "<title>" + xmlText(options_.title) + "</title>\n";
-    if (!options_.metadata.empty())
-      svg += "<metadata>" + xmlText(options_.metadata) + "</metadata>\n";
+    if (!properties_.title.empty()) svg += "<title>" + xmlText(properties_.title) + "</title>\n";
+    if (!properties_.metadata.empty())
+      svg += "<metadata>" + xmlText(properties_.metadata) + "</metadata>\n";
     if (!list_.texts.empty()) svg += style();
     if (!definitions_.empty()) svg += "<defs>\n" + definitions_ + "</defs>\n";
     svg += "<rect width=\"" + width + "\" height=\"" + height + "\"" +
@@ -238,7 +240,7 @@ class SvgWriter {
   }
 
   const DrawList& list_;
-  const SvgOptions& options_;
+  const PictureProperties& properties_;
   std::string definitions_, body_;
   std::map<std::string, std::string> clips_;  // rectangle -> name
   int gradients_ = 0;
@@ -246,12 +248,13 @@ class SvgWriter {
 
 }  // namespace
 
-std::string svgText(const DrawList& list, const SvgOptions& options) {
-  return SvgWriter(list, options).write();
+std::string svgText(const DrawList& list, const PictureProperties& properties) {
+  return SvgWriter(list, properties).write();
 }
 
-void writeSvg(const std::filesystem::path& path, const DrawList& list, const SvgOptions& options) {
-  writeFileAtomically(path, svgText(list, options));
+void writeSvg(const std::filesystem::path& path, const DrawList& list,
+              const PictureProperties& properties) {
+  writeFileAtomically(path, svgText(list, properties));
 }
 
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/draw/tiff_file.h"
+#include "ui/draw/picture_file.h"
 
 #include <stdexcept>
 
@@ -63,13 +63,8 @@ toff_t fileSize(thandle_t handle) {
   return memoryFile(handle).bytes.size();
 }
 
-}  // namespace
-
-bool canWriteTiff() {
-  return true;
-}
-
-std::string tiffBytes(const QImage& given, const PngOptions& options) {
+/// Returns the file's bytes; the same picture gives the same ones.
+std::string tiffBytes(const QImage& given, const PictureProperties& properties) {
   if (given.isNull()) throw std::runtime_error("An empty picture cannot be a TIFF file.");
   const QImage rgba = given.convertToFormat(QImage::Format_RGBA8888);
   const bool hasAlpha = !isOpaque(rgba);
@@ -95,14 +90,12 @@ std::string tiffBytes(const QImage& given, const PngOptions& options) {
       const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
       TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &alpha);
     }
-    if (options.dotsPerInch > 0) {
-      set(TIFFTAG_XRESOLUTION, options.dotsPerInch);
-      set(TIFFTAG_YRESOLUTION, options.dotsPerInch);
-      set(TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-    }
-    if (!options.title.empty()) set(TIFFTAG_DOCUMENTNAME, options.title.c_str());
-    const std::string description = "asperity: " + options.metadata;
-    if (!options.metadata.empty()) set(TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+    set(TIFFTAG_XRESOLUTION, properties.dotsPerInch());
+    set(TIFFTAG_YRESOLUTION, properties.dotsPerInch());
+    set(TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+    if (!properties.title.empty()) set(TIFFTAG_DOCUMENTNAME, properties.title.c_str());
+    const std::string description = "asperity: " + properties.metadata;
+    if (!properties.metadata.empty()) set(TIFFTAG_IMAGEDESCRIPTION, description.c_str());
     set(TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff.get(), 0));
     // libtiff changes the row that it is given.
     std::string row;
@@ -116,20 +109,31 @@ std::string tiffBytes(const QImage& given, const PngOptions& options) {
   return std::move(file.bytes);
 }
 
+}  // namespace
+
+bool canWriteTiff() {
+  return true;
+}
+
 #else
+
+namespace {
+
+std::string tiffBytes(const QImage&, const PictureProperties&) {
+  throw std::runtime_error("This program was built without libtiff and writes no TIFF.");
+}
+
+}  // namespace
 
 bool canWriteTiff() {
   return false;
 }
 
-std::string tiffBytes(const QImage&, const PngOptions&) {
-  throw std::runtime_error("This program was built without libtiff and writes no TIFF.");
-}
-
 #endif
 
-void writeTiff(const std::filesystem::path& path, const QImage& image, const PngOptions& options) {
-  writeFileAtomically(path, tiffBytes(image, options));
+void writeTiff(const std::filesystem::path& path, const QImage& image,
+               const PictureProperties& properties) {
+  writeFileAtomically(path, tiffBytes(image, properties));
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "ui/draw/pdf_file.h"
+#include "ui/draw/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,9 +24,9 @@ class PdfFile : public testing::Test {
  protected:
   /// What a program of poppler says of a picture written as PDF.
   std::string said(const std::string& program, const DrawList& list,
-                   const PdfOptions& options = {}) {
+                   const PictureProperties& properties = {}) {
     const fs::path path = folder_ / "picture.pdf";
-    writePdf(path, list, options);
+    writePdf(path, list, properties);
     const std::string command =
         program + " '" + path.string() + "'" + (program == "pdftotext" ? " -" : "") + " 2>&1";
     std::FILE* const pipe = popen(command.c_str(), "r");

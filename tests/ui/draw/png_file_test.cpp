@@ -1,4 +1,4 @@
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ QImage picture(int size) {
 
 std::string failure(const fs::path& path, const QImage& image) {
   try {
-    writePng(path, image);
+    writePng(path, image, {});
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -61,7 +61,7 @@ class SmallDisk {
 
 TEST_F(PngFile, IsReadBackAsItWas) {
   const fs::path path = folder_ / "a picture \u00B5.png";
-  writePng(path, picture(40));
+  writePng(path, picture(40), {});
   QImage back;
   ASSERT_TRUE(back.load(QString::fromStdString(path.string())));
   EXPECT_EQ(back.convertToFormat(QImage::Format_ARGB32),
@@ -73,7 +73,7 @@ TEST_F(PngFile, KeepsTransparencyTextsAndDensity) {
   QImage image = picture(30);
   image.setPixel(3, 4, 0x80402010U);
   const std::string metadata = "{\"title\": \"\u00B5 of a line\"}";
-  const std::string bytes = encodePng(image, {"A title", metadata, 192});
+  const std::string bytes = encodePng(image, {"A title", metadata, 2});
   EXPECT_EQ(pngMetadata(bytes), metadata);
   const QImage back = QImage::fromData(QByteArray::fromStdString(bytes), "PNG");
   EXPECT_EQ(back.convertToFormat(QImage::Format_ARGB32),
@@ -93,17 +93,17 @@ TEST_F(PngFile, MetadataIsEmptyWhereThereIsNone) {
 
 TEST_F(PngFile, ReplacesAnExistingFileAndRepeatsItsBytes) {
   const fs::path path = folder_ / "p.png";
-  writePng(path, picture(10));
-  writePng(path, picture(20));
+  writePng(path, picture(10), {});
+  writePng(path, picture(20), {});
   const std::string first = folder_.read(path);
-  writePng(path, picture(20));
+  writePng(path, picture(20), {});
   EXPECT_EQ(folder_.read(path), first);
   EXPECT_EQ(folder_.names().size(), 1U);
 }
 
 TEST_F(PngFile, FullDiskLeavesWhatWasThere) {
   const fs::path path = folder_ / "p.png";
-  writePng(path, picture(10));
+  writePng(path, picture(10), {});
   const std::string before = folder_.read(path);
   std::string message;
   {

@@ -1,4 +1,4 @@
-#include "ui/draw/svg_file.h"
+#include "ui/draw/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

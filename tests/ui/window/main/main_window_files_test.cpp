@@ -19,7 +19,6 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/picture_file.h"
-#include "ui/draw/svg_file.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/window/export/export_dialog.h"
