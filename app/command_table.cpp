@@ -187,7 +187,7 @@ void CommandTable::addCurve(const char* name) {
              "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
              "or .pdf; may be repeated (default: CSV to standard output)");
   addCurveOptions(*command, curve_.curves);
-  addPictureOptions(*command, curve_.picture, "1200x800", "print", FigurePart::Curve);
+  addPictureOptions(*command, curve_.picture, {1200, 800, "print"}, FigurePart::Curve);
   addColumnChoice(command, curve_.columns);
   command
       ->add_option("--realizations-table", curve_.realizationTable,
@@ -215,7 +215,7 @@ void CommandTable::addMap(const char* name) {
   addOutputs(command, map_.outputs,
              "FILE.csv (one row a cell, x fastest), .json, .png, .svg, .pdf, .eps or .tif; may be "
              "repeated (default: CSV to standard output)");
-  addPictureOptions(*command, map_.picture, "1200x900", "print", FigurePart::Chart);
+  addPictureOptions(*command, map_.picture, {1200, 900, "print"}, FigurePart::Chart);
   addColumnChoice(command, map_.columns);
 }
 
@@ -226,7 +226,7 @@ void CommandTable::addSensitivity(const char* name) {
   addOutputs(command, sensitivity_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
              "for people to standard output)");
-  addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
+  addPictureOptions(*command, sensitivity_.picture, {1200, 800, "print"}, FigurePart::Chart);
 }
 
 void CommandTable::addCutoff(const char* name) {
@@ -236,7 +236,7 @@ void CommandTable::addCutoff(const char* name) {
   addOutputs(command, cutoff_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: CSV to "
              "standard output)");
-  addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
+  addPictureOptions(*command, cutoff_.picture, {1200, 1000, "print"}, FigurePart::Chart);
 }
 
 void CommandTable::addMotion(const char* name) {
@@ -259,7 +259,7 @@ void CommandTable::addMotion(const char* name) {
                        "pictures show their mean")
           ->capture_default_str(),
       1, 1000000);
-  addPictureOptions(*command, motion_.picture, "1200x1000", "print", FigurePart::Chart);
+  addPictureOptions(*command, motion_.picture, {1200, 1000, "print"}, FigurePart::Chart);
   addColumnChoice(command, motion_.columns);
 }
 
@@ -281,7 +281,7 @@ void CommandTable::addRender(const char* name) {
                       "power (dissipated) (default: pressure)");
   addViewOptions(*command, render_.view);
   addCurveOptions(*command, render_.curves);
-  addPictureOptions(*command, render_.picture, "1280x720", "light", FigurePart::Curve);
+  addPictureOptions(*command, render_.picture, {1280, 720, "light"}, FigurePart::Curve);
   TimeArguments& time = render_.time;
   setIntegerRange(
       command->add_option("--frames", time.frames,
@@ -336,7 +336,7 @@ void CommandTable::addSurface(const char* name) {
       ->capture_default_str()
       ->group(kTableGroup);
   addColumnChoice(command, surface_.columns);
-  addPictureOptions(*command, surface_.picture, "1280x800", "light", FigurePart::Chart);
+  addPictureOptions(*command, surface_.picture, {1280, 800, "light"}, FigurePart::Chart);
 }
 
 void CommandTable::addFit(const char* name) {
@@ -357,7 +357,7 @@ void CommandTable::addFit(const char* name) {
       ->required();
   command->add_flag("--no-profiles", fit_.withoutProfiles,
                     "Leave out the profiles of the objective, which take most of the time");
-  addPictureOptions(*command, fit_.picture, "1200x900", "print", FigurePart::Curve);
+  addPictureOptions(*command, fit_.picture, {1200, 900, "print"}, FigurePart::Curve);
   addColumnChoice(command, fit_.columns);
 }
 
@@ -375,7 +375,7 @@ void CommandTable::addMaterial(const char* name) {
   command->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
       ->required();
   addMaterialOptions(*command, material.options);
-  addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
+  addPictureOptions(*command, material.picture, {1200, 800, "print"}, FigurePart::Chart);
   addColumnChoice(command, material.columns);
   addShared(*command, material.common);
 }
@@ -398,7 +398,8 @@ void CommandTable::addFigure(const char* name) {
                                    "Number of random lines to average over")
                       ->capture_default_str(),
                   1, 1000000);
-  addPictureOptions(*command, figure_.picture, "that of the figure", "print", FigurePart::Curve);
+  addPictureOptions(*command, figure_.picture, {1200, 800, "print", 1, "that of the figure"},
+                    FigurePart::Curve);
   addColumnChoice(command, figure_.columns);
   addShared(*command, figure_.common);
   command->footer("Figures:\n" + words);
@@ -452,7 +453,8 @@ void CommandTable::addBatch(const char* name) {
   command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
   command->add_flag("--contact-sheet", batch_.contactSheet,
                     "Make contact sheets of more than 100 scenes, too");
-  addPictureOptions(*command, batch_.picture, "the batch's", "light", FigurePart::Curve);
+  addPictureOptions(*command, batch_.picture, {960, 900, "light", 1, "the batch's"},
+                    FigurePart::Curve);
   addColumnChoice(command, batch_.columns);
   addSharedWithoutScene(*command, batch_.common);  // each entry of the batch has its own "set"
   command->footer(kBatchFormat);
@@ -512,7 +514,7 @@ void CommandTable::addStudy(const char* name) {
       ->add_option("-o,--output", studyAnalyse_.output,
                    "Folder for analysis.json, tables and pictures")
       ->required();
-  addPictureOptions(*analyse, studyAnalyse_.picture, "1400x900", "print");
+  addPictureOptions(*analyse, studyAnalyse_.picture, {1400, 900, "print"});
 }
 
 void CommandTable::addAccuracy(const char* name) {
@@ -521,7 +523,7 @@ void CommandTable::addAccuracy(const char* name) {
                       accuracy_.common, [this] { return runAccuracy(accuracy_); });
   command->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")
       ->required();
-  addPictureOptions(*command, accuracy_.picture, "that of the diagrams", "print",
+  addPictureOptions(*command, accuracy_.picture, {1200, 800, "print", 1, "that of the diagrams"},
                     FigurePart::Chart);
   addColumnChoice(command, accuracy_.columns);
 }

@@ -155,21 +155,23 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
                 "draws pixels; .svg, .pdf and .eps are written without them");
 }
 
-void addPictureOptions(CLI::App& command, PictureArguments& arguments,
-                       const std::string& defaultSize, const std::string& defaultTheme,
+void addPictureOptions(CLI::App& command, PictureArguments& arguments, PictureDefaults defaults,
                        FigurePart most) {
+  const std::string size =
+      defaults.size.empty() ? fmt::format("{}x{}", defaults.width, defaults.height) : defaults.size;
   const auto add = [&](const char* option, auto& value, const std::string& sentence) {
     return command.add_option(option, value, sentence)->group(kPictureGroup);
   };
   add("--size", arguments.size,
       "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt); several panels "
       "may need a larger height on paper (default: " +
-          defaultSize + " times the scale)")
+          size + " times the scale)")
       ->type_name("WxH");
   add("--scale", arguments.scale,
       "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
   add("--theme", arguments.theme,
-      "light, dark, print, or paper: a contact in light tints (default: " + defaultTheme + ")");
+      "light, dark, print, or paper: a contact in light tints (default: " + defaults.theme + ")");
+  arguments.defaults = std::move(defaults);
   std::string names;
   for (const std::string_view name : shippedStyles()) names += std::string(name) + ", ";
   add("--style", arguments.style,

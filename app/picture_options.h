@@ -22,8 +22,17 @@ class App;
 
 namespace asperity {
 
+/// What a command draws where no option says otherwise.
+struct PictureDefaults {
+  int width = 0, height = 0;  // at scale 1
+  std::string theme{};
+  float scale = 1;     // where neither option nor style gives a density
+  std::string size{};  // in the help, where it depends on what is drawn: "that of the figure"
+};
+
 /// The options as text from the command line.
 struct PictureArguments {
+  PictureDefaults defaults;
   std::string size;     // WxH in pixels; empty: the command's default at this scale
   std::string scale;    // empty: 1
   std::string theme;    // empty: the command's default
@@ -54,16 +63,9 @@ struct PictureSettings {
   nlohmann::ordered_json json() const;
 };
 
-struct PictureDefaults {
-  int width, height;  // at scale 1
-  std::string theme;
-  float scale = 1;  // where neither option nor style gives a density
-};
-
 /// Adds the options of pictures and, by `most`, those of charts and of friction curves, except
-/// those that the command already has in another form.
-void addPictureOptions(CLI::App& command, PictureArguments& arguments,
-                       const std::string& defaultSize, const std::string& defaultTheme,
+/// those that the command already has in another form. The arguments keep the defaults.
+void addPictureOptions(CLI::App& command, PictureArguments& arguments, PictureDefaults defaults,
                        FigurePart most = FigurePart::Picture);
 
 /// Throws InputError where an option of charts is given, with this reason.
@@ -83,8 +85,12 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
 /// Sets the language of all later texts. Throws InputError naming --language.
 void chooseLanguage(const std::string& code);
 
-/// Reads and checks the options. Throws InputError naming the option.
+/// Reads and checks the options. defaults: of a picture that differs from others of the command.
+/// Throws InputError naming the option.
 PictureSettings pictureSettings(const PictureArguments& arguments, const PictureDefaults& defaults);
+inline PictureSettings pictureSettings(const PictureArguments& arguments) {
+  return pictureSettings(arguments, arguments.defaults);
+}
 
 /// The options from the command line. An empty one is not given, and is fitted to the scene.
 struct ViewArguments {

@@ -60,13 +60,12 @@ std::string withColumns(const std::string& json, const ColumnChoice& columns) {
   return jsonFile(answer);
 }
 
-PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene,
-                                  const PictureDefaults& defaults) {
+PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene) {
   checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);
-  return pictureSettings(command.picture, defaults);
+  return pictureSettings(command.picture);
 }
 
 void writeResult(const TableCommand& command, const PictureSettings& settings,

@@ -58,8 +58,7 @@ std::string withColumns(const std::string& json, const ColumnChoice& columns);
 
 /// Checks the names of the output files and the options of pictures before any work. Throws
 /// InputError.
-PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene,
-                                  const PictureDefaults& defaults);
+PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene);
 
 /// Writes the files and a summary; prints the table where there are no files, and for `-`.
 void writeResult(const TableCommand& command, const PictureSettings& settings,

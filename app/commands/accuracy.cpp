@@ -126,7 +126,7 @@ int runAccuracy(const FolderCommand& command) {
     requireSteadySliding(scene, "asperity accuracy");
     requireVelocityAxis(scene, "asperity accuracy");
   });
-  pictureSettings(command.picture, {1200, 800, "print"});
+  pictureSettings(command.picture);
   const ColumnChoice columns(command.columns, {"accuracy"});
   makeFolder(command.output);
   for (const char* name : kFiles) {

@@ -165,7 +165,7 @@ class BatchRun {
     const bool isOfFile = arguments.size.empty();
     if (isOfFile) arguments.size = batch_.size;
     try {
-      return pictureSettings(arguments, {960, 900, "light"});
+      return pictureSettings(arguments);
     } catch (const InputError& error) {
       if (!isOfFile || error.key() != "--size") throw;
       throw InputError(command_.common.scene, "size", error.message());

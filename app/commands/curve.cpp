@@ -139,7 +139,7 @@ int runCurve(const CurveCommand& command) {
   const ComparedScene compared = withCurveOptions(loadScene(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity curve"); });
-  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene);
   for (const std::string& output : command.outputs)
     checkNoInput(output, filesReadBeside(command.curves, scene));
   checkUseful(command.curves, command.outputs);

@@ -15,7 +15,7 @@ namespace asperity {
 int runCutoff(const TableCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity cutoff"); });
-  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 1000, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene);
   const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options{.threads = command.common.threads,

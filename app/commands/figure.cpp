@@ -170,7 +170,7 @@ int runFigure(const FigureCommand& command) {
     if (name == FigureName::Contact)
       refuseChartOptions(command.picture, "applies only to charts, and this figure is a contact");
   }
-  pictureSettings(command.picture, {1200, 800, "print"});
+  pictureSettings(command.picture);
   columnChoice(command, names);
   prepareFolder(command, names);
   const ComputedFigures made = makeFigures(command, names);

@@ -26,7 +26,7 @@ std::string summaryText(const Fit& fit) {
 }  // namespace
 
 int runFit(const FitCommand& command) {
-  const PictureSettings settings = pictureSettings(command.picture, {1200, 900, "print"});
+  const PictureSettings settings = pictureSettings(command.picture);
   CurveArguments beside;
   beside.data = command.data;
   const ColumnChoice columns(command.columns, {"fit", "curve"});

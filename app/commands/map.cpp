@@ -52,7 +52,7 @@ std::string pressureText(const ParameterMap& map) {
 int runMap(const MapCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity map"); });
-  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 900, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene);
   if (!isMapQuantity(command.quantity))
     throw InputError("", "--show", notOneOf(command.quantity, mapQuantities()));
   const ColumnChoice columns(command.columns, {"map"});

@@ -101,7 +101,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
 }  // namespace
 
 int runMaterial(const MaterialCommand& command) {
-  const PictureSettings style = pictureSettings(command.picture, {1200, 800, "print"});
+  const PictureSettings style = pictureSettings(command.picture);
   columnChoice(command);
   return command.common.remade || isScene(command.common.scene)
              ? showInScene(command, style)

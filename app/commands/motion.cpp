@@ -47,7 +47,7 @@ std::string summaryText(const MotionTable& table) {
 
 int runMotion(const MotionCommand& command) {
   const Scene scene = loadScene(command.common);
-  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 1000, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene);
   const ColumnChoice columns(command.columns, {"motion"});
   const MotionTable table = compute(scene, command);
   const auto origin = [&] { return motionProvenance("motion", scene, table); };

@@ -74,7 +74,7 @@ class Rendering {
         compared_(withCurveOptions(loadScene(command.common), command.curves)),
         scene_(compared_.scene),
         kind_(outputKind(command.output)),
-        settings_(pictureSettings(command.picture, {1280, 720, "light"})),
+        settings_(pictureSettings(command.picture)),
         layout_(layoutFrom(command.layout)),
         overlay_(command.overlay.empty() ? ContactOverlay::Pressure
                                          : chosen(kContactOverlays, command.overlay, "--overlay")) {

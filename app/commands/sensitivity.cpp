@@ -15,7 +15,7 @@ namespace asperity {
 int runSensitivity(const TableCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity sensitivity"); });
-  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene);
   const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options{.threads = command.common.threads,

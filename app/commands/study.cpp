@@ -349,7 +349,7 @@ int runStudyShow(const StudyCommand& command) {
 }
 
 int runStudyAnalyse(const StudyCommand& command) {
-  const PictureSettings settings = pictureSettings(command.picture, {1400, 900, "print"});
+  const PictureSettings settings = pictureSettings(command.picture);
   OutputFolder output(command.output, {command.study}, settings);
   const StudyStore store(command.study);
   const ParameterStudy& study = store.study();

@@ -64,7 +64,9 @@ DiagramSheet lineSheet(const Scene& scene, const LineSource& source, const Line&
 /// Returns the settings of the picture, which is higher for a measured surface: it has one more
 /// diagram.
 PictureSettings surfaceSettings(const SurfaceCommand& command, bool isMeasured) {
-  return pictureSettings(command.picture, {1280, isMeasured ? 1100 : 800, "light"});
+  PictureDefaults defaults = command.picture.defaults;
+  if (isMeasured) defaults.height = 1100;
+  return pictureSettings(command.picture, defaults);
 }
 
 void writePicture(const std::string& output, const SurfaceCommand& command, const Scene& scene,
@@ -141,7 +143,7 @@ int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? surfaceFileScene(command.common.scene, command.common.assignments)
                              : loadScene(command.common);
-  checkTableOutputs(command, scene, {1280, 800, "light"});
+  checkTableOutputs(command, scene);
   checkTable(command);
   const auto run = [&] {
     findLinesWithProgress(scene, command.common.quiet);
