@@ -65,13 +65,13 @@ void addMaterialOptions(CLI::App& command, WrittenOptions& options) {
   setNumberRange(
       add("--poisson-ratio", "Poisson's ratio, to convert moduli of tension: G = E / (2 (1 + nu))")
           ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
-      0, 0.5);
+      0, kMaxPoissonRatio);
   add("--temperature",
       "Temperature of a file that does not state one, such as 20C; of a series stated at several, "
       "the one to read");
   setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
                      ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
-                 0.001, 100, "K");
+                 kMinTemperatureTolerance, kMaxTemperatureTolerance, "K");
   mayRepeat(command.add_option_function<std::vector<std::string>>(
       "--leave-out",
       [&options](const std::vector<std::string>& values) {
@@ -285,11 +285,14 @@ void CommandTable::addRender(const char* name) {
   TimeArguments& time = render_.time;
   setIntegerRange(
       command->add_option("--frames", time.frames,
-                          "Number of frames (default: 60 per period, or 60 for a motion)"),
+                          fmt::format("Number of frames (default: {0} per period, or {0} for a "
+                                      "motion)",
+                                      kDefaultFrames)),
       1, 1000000);
-  setNumberRange(
-      command->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
-      0.001, 1000);
+  setNumberRange(command->add_option("--fps", time.framesPerSecond,
+                                     fmt::format("Frames per second of film (default: {})",
+                                                 kDefaultFramesPerSecond)),
+                 0.001, 1000);
   setNumberRange(command->add_option("--duration", time.duration,
                                      "Length of the film in seconds, instead of --frames"),
                  0.001, 1e6, "s");

@@ -11,14 +11,12 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kDefaultFrames = 60;
-constexpr double kDefaultFps = 25;
 constexpr double kMaxFrames = 1e6;
 constexpr std::int64_t kSamples = 200;   // minimum number of samples over a motion
 constexpr double kMaxSlidPeriods = 1e9;  // maximum distance of sliding, in periods
 
 double chosenFramesPerSecond(const TimeArguments& arguments) {
-  return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kDefaultFps;
+  return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kDefaultFramesPerSecond;
 }
 
 std::int64_t rounded(double frames, const char* option) {

@@ -13,6 +13,11 @@
 
 namespace asperity {
 
+/// The number of frames of one period, or of a motion, and of a second of film, where no option
+/// gives them.
+inline constexpr std::int64_t kDefaultFrames = 60;
+inline constexpr double kDefaultFramesPerSecond = 25;
+
 /// The options from the command line; 0: not given.
 struct TimeArguments {
   std::int64_t frames = 0;

@@ -110,12 +110,14 @@ constexpr std::array<Row, 26> kRows{{
        c.columns.modulus = chosen(kModulusKinds, o.value, o.name);
      }},
     {"--poisson-ratio",
-     [](const Option& o, MaterialChoices& c) { c.columns.poissonRatio = numberWithin(o, 0, 0.5); }},
+     [](const Option& o, MaterialChoices& c) {
+       c.columns.poissonRatio = numberWithin(o, 0, kMaxPoissonRatio);
+     }},
     {"--temperature",
      [](const Option& o, MaterialChoices& c) { c.columns.temperature = kelvins(o); }},
     {"--temperature-tolerance",
      [](const Option& o, MaterialChoices& c) {
-       c.temperatureTolerance = numberWithin(o, 0.001, 100);
+       c.temperatureTolerance = numberWithin(o, kMinTemperatureTolerance, kMaxTemperatureTolerance);
      }},
     {"--leave-out", [](const Option& o, MaterialChoices& c) { c.leftOut.push_back(kelvins(o)); }},
     {"--equilibrium-modulus",

@@ -16,6 +16,10 @@ namespace asperity {
 /// Options as they were written: {"--terms", "12"}; the value of a flag is "true".
 using WrittenOptions = std::vector<std::pair<std::string, std::string>>;
 
+/// Limits of Poisson's ratio and of the temperatures (K) of one isotherm.
+inline constexpr double kMaxPoissonRatio = 0.5;
+inline constexpr double kMinTemperatureTolerance = 0.001, kMaxTemperatureTolerance = 100;
+
 /// Names of the options, in the order of the help.
 std::span<const std::string_view> materialOptionNames();
 
