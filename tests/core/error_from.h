@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/base/input_error.h"
+#include "core/scene/scene_file.h"
 
 namespace asperity {
 
@@ -16,6 +18,12 @@ std::string errorFrom(const Work& work) {
     return error.what();
   }
   return "no error";
+}
+
+/// Returns what is said of a scene file that is refused.
+inline std::string errorOfScene(const std::string& json,
+                                const std::vector<std::string>& assignments = {}) {
+  return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
 }
 
 }  // namespace asperity

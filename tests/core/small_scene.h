@@ -1,11 +1,9 @@
-// Scenes of tests: those that are computed in no time, because their self-affine line has few
-// elements, velocities and realizations, and those that are refused.
+// A scene that is computed in no time: a self-affine line of few elements, few velocities, few
+// realizations.
 #pragma once
 
 #include "core/friction/ensemble.h"
 #include "core/scene/scene.h"
-#include "core/scene/scene_file.h"
-#include "tests/core/error_from.h"
 
 namespace asperity {
 
@@ -24,12 +22,6 @@ inline CurvePoint pointOfCurve(Scene scene) {
   scene.sweep.points = 1;
   scene.sweep.velocityFrom = scene.sweep.velocityTo = scene.sliding.velocity;
   return frictionCurve(scene, {}).points.front();
-}
-
-/// Returns what is said of a scene file that is refused.
-inline std::string errorOfScene(const std::string& json,
-                                const std::vector<std::string>& assignments = {}) {
-  return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
 }
 
 }  // namespace asperity

@@ -8,7 +8,6 @@
 #include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "tests/core/error_from.h"
-#include "tests/core/small_scene.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {

@@ -8,7 +8,6 @@
 #include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/error_from.h"
-#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {

@@ -40,7 +40,7 @@ QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& an
 /// right."; empty for a choice.
 QString toleranceText(const LessonPrediction& prediction);
 
-/// Returns a text shown after the answer, as rich text with the values in it.
+/// Returns HTML of a text shown after the answer, with the values in it.
 QString lessonHtml(const LessonText& text, const LessonPrediction& prediction,
                    const LessonAnswer& answer, const GivenAnswer& given);
 
