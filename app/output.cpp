@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <set>
 
-#include "app/pictures/eps_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
@@ -24,22 +23,17 @@ std::string fileExtension(const std::string& file) {
   return lowerCase(std::filesystem::path(file).extension().string());
 }
 
+std::string fileIn(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / name).string();
+}
+
 bool isPictureFile(const std::string& file) {
-  return std::ranges::find(kPictureExtensions, fileExtension(file)) != kPictureExtensions.end();
+  return isOneOf(fileExtension(file), kPictureExtensions);
 }
 
 bool isTableFile(const std::string& file) {
   const std::string extension = fileExtension(file);
   return file == "-" || extension == ".csv" || extension == ".json";
-}
-
-void checkToolFor(const std::string& file) {
-  const std::string extension = fileExtension(file);
-  if (extension == ".eps") checkEpsTool(file);
-  if ((extension == ".tif" || extension == ".tiff") && !canWriteTiff())
-    throw InputError(file, "",
-                     "this program was built without libtiff, which writes TIFF; .png needs no "
-                     "other library");
 }
 
 bool hasStandardOutput(const std::vector<std::string>& files) {
@@ -64,9 +58,8 @@ void checkOutputs(const std::vector<std::string>& files,
     }
     checkWritable(file);
     const std::string extension = fileExtension(file);
-    if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-      throw unknownExtension(file, extension, extensions);
-    checkToolFor(file);
+    if (!isOneOf(extension, extensions)) throw unknownExtension(file, extension, extensions);
+    checkPictureTool(file);
     if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
       throw InputError("", "--output", file + " is given more than once");
   }

@@ -18,20 +18,18 @@ namespace asperity {
 /// Returns the extension in small letters: ".csv" for "out/Curve.CSV".
 std::string fileExtension(const std::string& file);
 
-/// Extensions of pictures, and of the tables and pictures that most commands write.
-inline const std::initializer_list<std::string_view> kPictureExtensions = {".png", ".svg", ".pdf",
-                                                                           ".eps", ".tif", ".tiff"};
+/// Extensions of the tables and pictures that most commands write.
 inline const std::initializer_list<std::string_view> kOutputExtensions = {
     ".csv", ".json", ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
+
+/// Returns the name of a file in a folder.
+std::string fileIn(const std::string& folder, const std::string& name);
 
 /// Returns whether a file is a picture by its extension.
 bool isPictureFile(const std::string& file);
 
 /// Returns whether an output is a table: .csv, .json, or `-`, standard output.
 bool isTableFile(const std::string& file);
-
-/// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
-void checkToolFor(const std::string& file);
 
 /// The output of a command without an output file.
 enum class DefaultOutput { PrintsSummary, PrintsTable };

@@ -20,16 +20,17 @@ namespace asperity {
 namespace {
 
 // largest width and height in pixels of one picture on a sheet
-constexpr int kWidest = 480, kHighest = 960;
+constexpr int kWidestCell = 480, kHighestCell = 960;
 constexpr std::string_view kSheetName = "contact_sheet", kEnd = ".png";
 
 }  // namespace
 
 ContactSheets::ContactSheets(int count, int width, int height) : count_(std::max(count, 1)) {
   const double ratio = static_cast<double>(height) / width;
-  cellHeight_ = std::clamp(static_cast<int>(kWidest * ratio), 1, kHighest);
-  cellWidth_ =
-      kWidest * ratio > kHighest ? std::max(1, static_cast<int>(kHighest / ratio)) : kWidest;
+  cellHeight_ = std::clamp(static_cast<int>(kWidestCell * ratio), 1, kHighestCell);
+  cellWidth_ = kWidestCell * ratio > kHighestCell
+                   ? std::max(1, static_cast<int>(kHighestCell / ratio))
+                   : kWidestCell;
   const int side = static_cast<int>(std::ceil(std::sqrt(count_)));
   columns_ = std::min(side, kLargestSheet / cellWidth_);
   rows_ = std::min((count_ + columns_ - 1) / columns_, kLargestSheet / cellHeight_);

@@ -39,7 +39,7 @@ enum class Kind { Picture, Film, Sequence };
 Kind outputKind(const std::string& output) {
   checkFolderName(output);
   if (isPictureFile(output)) {
-    checkToolFor(output);
+    checkPictureTool(output);
     return Kind::Picture;
   }
   if (isFilmFile(output)) return Kind::Film;

@@ -6,8 +6,6 @@
 #include <cstdio>
 
 #include "app/output.h"
-#include "app/pictures/eps_file.h"
-#include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
 
 namespace asperity {
@@ -44,25 +42,11 @@ HeadlessPictures::~HeadlessPictures() {
 
 void HeadlessPictures::write(const std::string& file, const DrawList& list,
                              const PictureProperties& properties) {
-  const std::string extension = fileExtension(file);
-  if (extension == ".png")
-    writePng(file, list, properties);
-  else if (extension == ".svg" || extension == ".pdf")
-    writePicture(file, list, properties);
-  else if (extension == ".eps")
-    writeEps(file, list, properties);
-  else if (extension == ".tif" || extension == ".tiff")
-    writeTiff(file, draw(list), properties);
-  else
-    throw unknownExtension(file, extension, kPictureExtensions);
-}
-
-void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
-                                const PictureProperties& properties) {
+  if (fileExtension(file) != ".png") return writePicture(file, list, properties, *context_);
   QImage image = draw(list);
   finish();
   writing_ = std::async(std::launch::async, [file, properties, image = std::move(image)] {
-    asperity::writePng(file, image, properties);
+    writePng(file, image, properties);
   });
 }
 

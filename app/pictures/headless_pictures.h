@@ -12,7 +12,6 @@
 #include <string>
 
 #include "ui/draw/picture_file.h"
-#include "ui/draw/pixel_context.h"
 
 class QGuiApplication;
 
@@ -25,9 +24,8 @@ class HeadlessPictures {
   HeadlessPictures(const HeadlessPictures&) = delete;
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
 
-  /// Writes a picture by its extension (kPictureExtensions); throws InputError for any other.
-  /// The file keeps the given properties. The picture is drawn at once; the file may be written
-  /// later, but before finish() returns.
+  /// Writes a picture as writePicture() does. It is drawn at once; a PNG may be written later, but
+  /// before finish() returns.
   void write(const std::string& file, const DrawList& list,
              const PictureProperties& properties = {});
 
@@ -38,8 +36,6 @@ class HeadlessPictures {
   void finish();
 
  private:
-  void writePng(const std::string& file, const DrawList& list, const PictureProperties& properties);
-
   std::unique_ptr<QGuiApplication> application_;
   std::unique_ptr<PixelContext> context_;
   std::future<void> writing_;

@@ -9,7 +9,6 @@
 #include <QPdfWriter>
 #include <stdexcept>
 
-#include "core/base/atomic_file.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/vector_shapes.h"
@@ -166,11 +165,6 @@ std::string pdfBytes(const DrawList& list, const PictureProperties& properties) 
   }
   blankDate(bytes);
   return bytes.toStdString();
-}
-
-void writePdf(const std::filesystem::path& path, const DrawList& list,
-              const PictureProperties& properties) {
-  writeFileAtomically(path, pdfBytes(list, properties));
 }
 
 }  // namespace asperity

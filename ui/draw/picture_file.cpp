@@ -7,23 +7,47 @@
 #include "core/base/text_number.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/pixel_context.h"
 #include "ui/language/language.h"
 
 namespace asperity {
 
-void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureProperties& properties) {
+namespace {
+
+bool isTiff(const std::string& extension) {
+  return extension == ".tif" || extension == ".tiff";
+}
+
+}  // namespace
+
+void checkPictureTool(const std::filesystem::path& file) {
   const std::string extension = lowerCase(file.extension().string());
+  if (extension == ".eps" && !canWriteEps())
+    throw InputError(file.string(), "",
+                     "EPS is made by pdftops, which is not installed (package poppler-utils); .pdf "
+                     "needs no other program");
+  if (isTiff(extension) && !canWriteTiff())
+    throw InputError(file.string(), "",
+                     "this program was built without libtiff, which writes TIFF; .png needs no "
+                     "other library");
+}
+
+void writePicture(const std::filesystem::path& file, const DrawList& picture,
+                  const PictureProperties& properties, PixelContext& context) {
+  const std::string extension = lowerCase(file.extension().string());
+  checkPictureTool(file);
   if (extension == ".png") {
     checkWritable(file);
-    writePng(file, renderImage(contextOfThread(), picture), properties);
+    writePng(file, renderImage(context, picture), properties);
+  } else if (isTiff(extension)) {
+    writeFileAtomically(file, tiffBytes(renderImage(context, picture), properties));
   } else if (extension == ".svg") {
-    writeSvg(file, picture, properties);
+    writeFileAtomically(file, svgText(picture, properties));
   } else if (extension == ".pdf") {
-    writePdf(file, picture, properties);
+    writeFileAtomically(file, pdfBytes(picture, properties));
+  } else if (extension == ".eps") {
+    writeEps(file, picture, properties);
   } else {
-    throw unknownExtension(file.string(), file.extension().string(), {".png", ".svg", ".pdf"});
+    throw unknownExtension(file.string(), file.extension().string(), kPictureExtensions);
   }
 }
 

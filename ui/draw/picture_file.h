@@ -1,18 +1,20 @@
-// Pictures as files: PNG and TIFF of pixels, SVG and PDF of shapes, with texts as texts and the
-// used part of the fonts inside. The same picture gives the same bytes: no date, no random
-// identifier. A file is complete or absent. Threading: PDF and writePicture() need a
+// Pictures as files: PNG and TIFF of pixels, SVG, PDF and EPS of shapes, with texts as texts and
+// the used part of the fonts inside. The same picture gives the same bytes: no date, no random
+// identifier. A file is complete or absent. Threading: PDF, EPS and writePicture() need a
 // QGuiApplication and loadFonts(), one thread at a time, and no OpenGL context of a window may be
 // current on it; all else: any thread.
 #pragma once
 
 #include <QImage>
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "core/scene/scene.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/pixel_context.h"
 
 class QByteArray;
 
@@ -29,10 +31,17 @@ struct PictureProperties {
   double pointsPerPixel() const { return 0.75 / scale; }
 };
 
-/// Writes PNG, SVG or PDF, by the extension in small or capital letters. Throws InputError for any
-/// other one, and as writeFileAtomically.
+inline const std::initializer_list<std::string_view> kPictureExtensions = {".png", ".svg", ".pdf",
+                                                                           ".eps", ".tif", ".tiff"};
+
+/// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
+void checkPictureTool(const std::filesystem::path& file);
+
+/// Writes the format of the extension, in small or capital letters. context: draws pixels. Throws
+/// InputError for an extension that is not one of kPictureExtensions, and as checkPictureTool and
+/// writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureProperties& properties);
+                  const PictureProperties& properties, PixelContext& context = contextOfThread());
 
 // ---- Pixels
 
@@ -56,20 +65,14 @@ bool isOpaque(const QImage& image);
 /// Returns whether this program was built with libtiff.
 bool canWriteTiff();
 
-/// Writes RGB, or RGBA where the picture is not opaque, compressed without loss (LZW), as
+/// Returns RGB, or RGBA where the picture is not opaque, compressed without loss (LZW), as
 /// publishers want it that accept no other format; the metadata as "asperity: ..." in the
-/// description of the image. Throws std::runtime_error for an empty picture, and as
-/// writeFileAtomically.
-void writeTiff(const std::filesystem::path& path, const QImage& image,
-               const PictureProperties& properties);
+/// description of the image. Throws std::runtime_error for an empty picture.
+std::string tiffBytes(const QImage& image, const PictureProperties& properties);
 
 // ---- Shapes
 
 std::string svgText(const DrawList& list, const PictureProperties& properties = {});
-
-/// Writes the file as writeFileAtomically.
-void writeSvg(const std::filesystem::path& path, const DrawList& list,
-              const PictureProperties& properties);
 
 /// Returns the text with markup characters escaped, and characters that XML cannot contain replaced
 /// by U+FFFD.
@@ -87,8 +90,13 @@ std::string pdfBytes(const DrawList& list, const PictureProperties& properties =
 /// date is the only content that does not depend on what is drawn.
 void blankDate(QByteArray& pdf);
 
-/// Writes the file as writeFileAtomically.
-void writePdf(const std::filesystem::path& path, const DrawList& list,
+/// Returns whether pdftops, which makes EPS of PDF, is installed.
+bool canWriteEps();
+
+/// Writes EPS. Letters and lines stay vectors; translucent colours become opaque ones, and a
+/// picture with light that fades out becomes an image. The metadata are in comments "%asperity:
+/// ..." after the header. Throws std::runtime_error in one sentence that names the file.
+void writeEps(const std::filesystem::path& file, const DrawList& list,
               const PictureProperties& properties);
 
 // ---- Provenance

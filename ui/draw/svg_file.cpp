@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <map>
 
-#include "core/base/atomic_file.h"
 #include "ui/draw/font_choice.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
@@ -250,11 +249,6 @@ class SvgWriter {
 
 std::string svgText(const DrawList& list, const PictureProperties& properties) {
   return SvgWriter(list, properties).write();
-}
-
-void writeSvg(const std::filesystem::path& path, const DrawList& list,
-              const PictureProperties& properties) {
-  writeFileAtomically(path, svgText(list, properties));
 }
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "core/base/atomic_file.h"
 #include "core/base/destroyer.h"
 
 #ifdef ASPERITY_HAS_TIFF
@@ -63,7 +62,8 @@ toff_t fileSize(thandle_t handle) {
   return memoryFile(handle).bytes.size();
 }
 
-/// Returns the file's bytes; the same picture gives the same ones.
+}  // namespace
+
 std::string tiffBytes(const QImage& given, const PictureProperties& properties) {
   if (given.isNull()) throw std::runtime_error("An empty picture cannot be a TIFF file.");
   const QImage rgba = given.convertToFormat(QImage::Format_RGBA8888);
@@ -109,31 +109,20 @@ std::string tiffBytes(const QImage& given, const PictureProperties& properties) 
   return std::move(file.bytes);
 }
 
-}  // namespace
-
 bool canWriteTiff() {
   return true;
 }
 
 #else
 
-namespace {
-
 std::string tiffBytes(const QImage&, const PictureProperties&) {
   throw std::runtime_error("This program was built without libtiff and writes no TIFF.");
 }
-
-}  // namespace
 
 bool canWriteTiff() {
   return false;
 }
 
 #endif
-
-void writeTiff(const std::filesystem::path& path, const QImage& image,
-               const PictureProperties& properties) {
-  writeFileAtomically(path, tiffBytes(image, properties));
-}
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ class PdfFile : public testing::Test {
   std::string said(const std::string& program, const DrawList& list,
                    const PictureProperties& properties = {}) {
     const fs::path path = folder_ / "picture.pdf";
-    writePdf(path, list, properties);
+    writePicture(path, list, properties);
     const std::string command =
         program + " '" + path.string() + "'" + (program == "pdftotext" ? " -" : "") + " 2>&1";
     std::FILE* const pipe = popen(command.c_str(), "r");

@@ -105,7 +105,7 @@ TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
   const QString file = folder.filePath("picture.svg");
   Scene scene = smallScene();
   scene.title = "from a picture";
-  writeSvg(file.toStdString(), DrawList{}, {"a title", pictureOrigin("render", scene)});
+  writePicture(file.toStdString(), DrawList{}, {"a title", pictureOrigin("render", scene)});
 
   QSignalSpy reads(&window_.documentCommands(), &DocumentCommands::sceneRead);
   drop(file);
@@ -176,7 +176,7 @@ TEST_F(MainWindowTest, AForeignSceneThatWantsMuchIsAskedAbout) {
   const QTemporaryDir folder;
   const auto picture = [&](const char* name, const Scene& scene) {
     const QString file = folder.filePath(name);
-    writeSvg(file.toStdString(), DrawList{}, {"", pictureOrigin("render", scene)});
+    writePicture(file.toStdString(), DrawList{}, {"", pictureOrigin("render", scene)});
     return file;
   };
   Scene reads = smallScene();

@@ -1,5 +1,5 @@
-#include "app/pictures/eps_file.h"
-
+// Pictures as EPS, which some publishers still require: the program's own PDF, turned into
+// PostScript by pdftops (poppler-utils).
 #include <QProcess>
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
-#include "core/base/input_error.h"
 #include "core/base/program.h"
 #include "core/base/text.h"
+#include "ui/draw/picture_file.h"
 
 namespace asperity {
 namespace {
@@ -66,16 +66,14 @@ DrawList opaque(DrawList list) {
 
 }  // namespace
 
-void checkEpsTool(const std::string& file) {
-  if (findProgram(kTool).empty())
-    throw InputError(file, "",
-                     "EPS is made by pdftops, which is not installed (package poppler-utils); .pdf "
-                     "needs no other program");
+bool canWriteEps() {
+  return !findProgram(kTool).empty();
 }
 
-void writeEps(const std::string& file, const DrawList& list, const PictureProperties& properties) {
+void writeEps(const std::filesystem::path& file, const DrawList& list,
+              const PictureProperties& properties) {
   const auto fail = [&](const std::string& why) {
-    throw std::runtime_error(printable(file) + ": cannot be written: " + printable(why));
+    throw std::runtime_error(printable(file.string()) + ": cannot be written: " + printable(why));
   };
   const bool isImage = std::ranges::any_of(list.layers, isSoft);
   const std::string pdf = pdfBytes(isImage ? list : opaque(list), properties);
