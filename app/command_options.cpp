@@ -292,10 +292,14 @@ void printSummary(const CommonOptions& options, const std::string& summary, bool
     fmt::print("{}", text);
 }
 
-std::string factLines(const std::vector<Message>& facts) {
+std::string translatedLines(const std::vector<Message>& messages) {
   std::string text;
-  for (const Message& fact : facts) text += translated(fact) + "\n";
+  for (const Message& line : messages) text += translated(line) + "\n";
   return text;
+}
+
+std::string translatedLine(const std::optional<Message>& line) {
+  return line ? translated(*line) + "\n" : std::string();
 }
 
 std::string noteLines(const NoteSet& notes) {

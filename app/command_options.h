@@ -127,8 +127,10 @@ void findLinesWithProgress(const Scene& scene, bool quiet);
 /// stdout has output for a machine, JSON or other data.
 void printSummary(const CommonOptions& options, const std::string& summary, bool hasData = false);
 
-/// Returns a line in the present language for each fact.
-std::string factLines(const std::vector<Message>& facts);
+/// Returns a line in the present language for each message.
+std::string translatedLines(const std::vector<Message>& messages);
+/// The same for one message, where there is one.
+std::string translatedLine(const std::optional<Message>& line);
 
 /// Returns a line for each note: its word and its sentence in the present language.
 std::string noteLines(const NoteSet& notes);

@@ -39,6 +39,37 @@ void addOutputs(CLI::App* command, std::vector<std::string>& outputs, const char
   mayRepeat(command->add_option("-o,--output", outputs, sentence));
 }
 
+void addTimeOptions(CLI::App& command, TimeArguments& time) {
+  setIntegerRange(
+      command.add_option("--frames", time.frames,
+                         fmt::format("Number of frames (default: {0} per period, or {0} for a "
+                                     "motion)",
+                                     kDefaultFrames)),
+      1, 1000000);
+  setNumberRange(command.add_option("--fps", time.framesPerSecond,
+                                    fmt::format("Frames per second of film (default: {})",
+                                                kDefaultFramesPerSecond)),
+                 0.001, 1000);
+  setNumberRange(command.add_option("--duration", time.duration,
+                                    "Length of the film in seconds, instead of --frames"),
+                 0.001, 1e6, "s");
+  setNumberRange(command.add_option("--cycles", time.cycles,
+                                    "Number of periods of the line that pass (default: 1)"),
+                 1e-6, 1e6);
+  setNumberRange(
+      command.add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
+      1e-12, 1e15);
+  setNumberRange(
+      command.add_option("--at", time.at,
+                         "One picture, after this time of sliding (default: the start of steady "
+                         "sliding, the end of a motion)"),
+      0, 1e12, "s");
+  setNumberRange(command.add_option(
+                     "--slid", time.slid,
+                     "One picture of steady sliding, after this sliding distance, instead of --at"),
+                 0, 1e12, "m");
+}
+
 /// Adds the options of material_options.h.
 void addMaterialOptions(CLI::App& command, WrittenOptions& options) {
   const auto add = [&](const char* option, const char* sentence) {
@@ -282,35 +313,7 @@ void CommandTable::addRender(const char* name) {
   addViewOptions(*command, render_.view);
   addCurveOptions(*command, render_.curves);
   addPictureOptions(*command, render_.picture, {1280, 720, "light"}, FigurePart::Curve);
-  TimeArguments& time = render_.time;
-  setIntegerRange(
-      command->add_option("--frames", time.frames,
-                          fmt::format("Number of frames (default: {0} per period, or {0} for a "
-                                      "motion)",
-                                      kDefaultFrames)),
-      1, 1000000);
-  setNumberRange(command->add_option("--fps", time.framesPerSecond,
-                                     fmt::format("Frames per second of film (default: {})",
-                                                 kDefaultFramesPerSecond)),
-                 0.001, 1000);
-  setNumberRange(command->add_option("--duration", time.duration,
-                                     "Length of the film in seconds, instead of --frames"),
-                 0.001, 1e6, "s");
-  setNumberRange(command->add_option("--cycles", time.cycles,
-                                     "Number of periods of the line that pass (default: 1)"),
-                 1e-6, 1e6);
-  setNumberRange(
-      command->add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
-      1e-12, 1e15);
-  setNumberRange(
-      command->add_option("--at", time.at,
-                          "One picture, after this time of sliding (default: the start of steady "
-                          "sliding, the end of a motion)"),
-      0, 1e12, "s");
-  setNumberRange(command->add_option(
-                     "--slid", time.slid,
-                     "One picture of steady sliding, after this sliding distance, instead of --at"),
-                 0, 1e12, "m");
+  addTimeOptions(*command, render_.time);
   command->add_flag("--resume", render_.resume,
                     "Keep the frames of an interrupted run and make the missing ones");
   command

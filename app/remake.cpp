@@ -185,8 +185,7 @@ void checkOutput(const Remake& remake, const OpenCommand& command,
   const std::string extension = fileExtension(remake.output);
   const bool isStandardOutput = remake.output == "-" && !isPicture;
   const auto check = [&](std::initializer_list<std::string_view> known) {
-    if (std::ranges::find(known, extension) == known.end())
-      throw unknownExtension(remake.output, extension, known);
+    if (!isOneOf(extension, known)) throw unknownExtension(remake.output, extension, known);
   };
   if (!isStandardOutput) {
     if (remake.words.front() == "figure")

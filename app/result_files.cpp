@@ -101,7 +101,7 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
   else if (printsTable)
     fmt::print("{}", tableText(result.csv, ".csv"));
   // Without a file the table is all that is printed, beside what was assumed about the surface.
-  const std::string reading = factLines(result.reading);
+  const std::string reading = translatedLines(result.reading);
   printSummary(common, files.empty() ? reading : result.summary + reading + wroteLines(files),
                printsTable);
 }
@@ -113,7 +113,7 @@ OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path
 }
 
 void OutputFolder::addText(const std::string& name, std::string bytes) {
-  texts_.push_back({filePath(name), std::move(bytes)});
+  texts_.push_back({fileIn(folder_, name), std::move(bytes)});
 }
 
 void OutputFolder::addSheet(const std::string& name, DiagramSheet sheet) {
@@ -125,7 +125,8 @@ void OutputFolder::write(const std::vector<GivenOption>& given,
   makeFolder(folder_);
   for (const Text& text : texts_) checkName(text.file);
   for (const Sheet& sheet : sheets_)
-    for (const char* extension : kFolderPictures) checkName(filePath(sheet.name + extension));
+    for (const char* extension : kFolderPictures)
+      checkName(fileIn(folder_, sheet.name + extension));
   HeadlessPictures pictures(settings_.backend);
   for (const Sheet& sheet : sheets_) {
     const ProvenanceOptions options(optionsInFolder(given, sheet.name + kFolderPictures[0]));
@@ -135,7 +136,7 @@ void OutputFolder::write(const std::vector<GivenOption>& given,
         settings_.properties(translated(sheet.sheet.title), provenanceLine(made));
     const DrawList picture = drawSheet(sheet.sheet, settings_);
     for (const char* extension : kFolderPictures)
-      pictures.write(filePath(sheet.name + extension), picture, properties);
+      pictures.write(fileIn(folder_, sheet.name + extension), picture, properties);
   }
   pictures.finish();
   for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
@@ -146,17 +147,13 @@ std::string OutputFolder::summary() const {
   std::string lines;
   for (const Text& text : texts_) lines += wroteLine(text.file);
   for (const Sheet& sheet : sheets_)
-    lines += wroteLine(filePath(sheet.name + ".png") + " (.svg, .pdf)");
+    lines += wroteLine(fileIn(folder_, sheet.name + ".png") + " (.svg, .pdf)");
   for (const std::string& name : others_)
-    if (const std::string file = filePath(name + ".png");
+    if (const std::string file = fileIn(folder_, name + ".png");
         std::ranges::find(sheets_, name, &Sheet::name) == sheets_.end() &&
         std::filesystem::exists(file))
       lines += filledLine(Words::tr("not of this run: %1, left by an earlier one"), file);
   return lines;
-}
-
-std::string OutputFolder::filePath(const std::string& name) const {
-  return (std::filesystem::path(folder_) / name).string();
 }
 
 void OutputFolder::checkName(const std::string& name) const {

@@ -97,7 +97,6 @@ class OutputFolder {
     std::string name;
     DiagramSheet sheet;
   };
-  std::string filePath(const std::string& name) const;
   void checkName(const std::string& name) const;
 
   std::string folder_;

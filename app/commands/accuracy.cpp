@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/command_line.h"
 #include "app/output.h"
@@ -26,15 +25,9 @@
 namespace asperity {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kFiles[] = {"accuracy.csv",       "accuracy.json",      "work_precision.png",
                                   "work_precision.svg", "work_precision.pdf", "standard_error.png",
                                   "standard_error.svg", "standard_error.pdf"};
-
-std::string fileIn(const std::string& folder, const char* name) {
-  return (fs::path(folder) / name).string();
-}
 
 WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   ProgressBar bar(Words::tr("methods"), common.quiet);
@@ -55,7 +48,7 @@ void writePictures(const FolderCommand& command, const WorkPrecision& comparison
     const PictureSettings settings = pictureSettings(command.picture, printDefaults(sheet));
     const DrawList list = drawSheet(sheet, settings);
     for (const char* extension : {".png", ".svg", ".pdf"})
-      pictures.write(fileIn(command.output, (name + extension).c_str()), list,
+      pictures.write(fileIn(command.output, name + extension), list,
                      settings.properties(translated(sheet.title), origin));
   };
   write(workPrecisionSheet(comparison), "work_precision");
@@ -113,7 +106,7 @@ std::string summaryText(const WorkPrecision& comparison, const std::string& fold
       text += methodLine(point, point.choice == comparison.present, width);
     text += marchLine(region);
   }
-  text += factLines(readingFacts(comparison.scene));
+  text += translatedLines(readingFacts(comparison.scene));
   for (const char* name : kFiles) text += wroteLine(fileIn(folder, name));
   return text;
 }

@@ -121,7 +121,7 @@ class BatchRun {
   }
 
   std::string fileIn(const std::string& name) const {
-    return (std::filesystem::path(command_.output) / name).string();
+    return asperity::fileIn(command_.output, name);
   }
 
   /// Throws where an output would replace a file from which the batch is read.
@@ -227,10 +227,6 @@ class BatchRun {
     const auto [sheet, left, top] = cell();
     addPicture(sheets_[sheet], PictureComposer(small_, content).compose(frame),
                static_cast<float>(left), static_cast<float>(top));
-  }
-
-  static bool showsCurve(PictureLayout layout) {
-    return layout == PictureLayout::Curve || layout == PictureLayout::Both;
   }
 
   /// Reads the measured friction that the scene names, where the picture shows a curve, before
@@ -371,7 +367,7 @@ class BatchRun {
   std::string readingText() const {
     std::string text, last;
     for (const BatchResult& result : results_) {
-      std::string facts = factLines(result.reading);
+      std::string facts = translatedLines(result.reading);
       if (!facts.empty() && facts != last) text += result.item.name + ":\n" + facts;
       last = std::move(facts);
     }

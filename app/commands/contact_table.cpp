@@ -105,8 +105,7 @@ int runContactTable(const RenderCommand& command) {
   else if (!command.common.json)
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
-  std::string lines = factLines(reading);
-  if (warning) lines += translated(*warning) + "\n";
+  const std::string lines = translatedLines(reading) + translatedLine(warning);
   const bool isPrinted = command.output == "-";
   printSummary(command.common,
                isPrinted ? lines

@@ -55,12 +55,12 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
     return pointNoteSet(point).has(Note::UnresolvedFriction);
   });
   // A curve over the width has no width of its own.
-  const auto pressure = pressureNote(curve.points, scene.load.width);
-  if (pressure && scene.sweep.key != "load.width") text += translated(*pressure) + "\n";
+  if (scene.sweep.key != "load.width")
+    text += translatedLine(pressureNote(curve.points, scene.load.width));
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
-  for (const Message& note : set.notes) text += translated(note) + "\n";
+  text += translatedLines(set.notes);
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   text += noteLines(notes);

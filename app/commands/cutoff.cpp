@@ -8,7 +8,6 @@
 #include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -22,19 +21,16 @@ int runCutoff(const TableCommand& command) {
                          .progress = [&bar](double part) { bar.showPart(part); }};
     return frictionOverCutoff(scene, options);
   });
-  std::string summary;
-  for (const Message& line : describeCutoff(points)) summary += translated(line) + "\n";
-  if (const auto pressure = pressureNote(scene)) summary += translated(*pressure) + "\n";
   NoteSet notes;
   if (!points.empty()) notes.add(points.back().state.notes);  // of the whole line
-  summary += noteLines(notes);
   const auto origin = [&] { return provenance("cutoff", scene); };
   writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + cutoffCsv(points); },
                .json = [&] { return cutoffJson(scene, points); },
                .sheet = [&] { return cutoffSheet(scene, points); },
                .origin = origin,
-               .summary = summary,
+               .summary = translatedLines(describeCutoff(points)) +
+                          translatedLine(pressureNote(scene)) + noteLines(notes),
                .reading = readingFacts(scene)});
   return kDone;
 }

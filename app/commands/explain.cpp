@@ -130,14 +130,14 @@ std::string explanationText(const Explanation& explanation) {
     text += translated(message("{}: {}", Message(theoryEntry(theory).name),
                                Message(theoryEntry(theory).range))) +
             "\n";
-  text += factLines(explanation.reading) + noteLines(explanation.notes);
+  text += translatedLines(explanation.reading) + noteLines(explanation.notes);
   if (const auto& predicted = explanation.predicted) {
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),
                              {timeText(predicted->seconds), threadsText(predicted->threads),
                               workText(*predicted)}),
                       mebibytes(predicted->memory), predicted->error);
-    if (const auto warning = warningOf(scene, *predicted)) text += translated(*warning) + "\n";
+    text += translatedLine(warningOf(scene, *predicted));
   }
   if (const auto& measured = explanation.measured)
     text += Words::tr("measured") + "\n" +

@@ -25,8 +25,6 @@
 namespace asperity {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns the figures that a word means: a single figure, "paper" for Figs. 1 to 6, "all" for
 /// these and the two that the paper does not have.
 std::vector<FigureName> figureNames(const std::string& word) {
@@ -52,12 +50,11 @@ std::vector<FigureName> figureNames(const std::vector<std::string>& words) {
 }
 
 std::string figureOutput(const FigureCommand& command, FigureName name, const char* extension) {
-  return (fs::path(command.output) / fmt::format("figure_{}{}", figureEntry(name).word, extension))
-      .string();
+  return fileIn(command.output, fmt::format("figure_{}{}", figureEntry(name).word, extension));
 }
 
 std::string claimsFile(const FigureCommand& command) {
-  return (fs::path(command.output) / "claims.json").string();
+  return fileIn(command.output, "claims.json");
 }
 
 /// Checks everything that can be wrong with the output before any work begins.

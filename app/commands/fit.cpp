@@ -12,19 +12,8 @@
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
 
 namespace asperity {
-namespace {
-
-std::string summaryText(const Fit& fit) {
-  std::string text;
-  for (const Message& line : describeFit(fit)) text += translated(line) + "\n";
-  return text;
-}
-
-}  // namespace
-
 int runFit(const FitCommand& command) {
   const PictureSettings settings = pictureSettings(command.picture);
   CurveArguments beside;
@@ -57,8 +46,8 @@ int runFit(const FitCommand& command) {
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
     output.setOtherSheets({"profiles"});
     output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
-    printSummary(command.common,
-                 summaryText(fitted.fit) + factLines(report.reading) + output.summary());
+    printSummary(command.common, translatedLines(describeFit(fitted.fit)) +
+                                     translatedLines(report.reading) + output.summary());
     if (command.common.json) fmt::print("{}", report.texts.front().second);
     return kDone;
   });

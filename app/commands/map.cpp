@@ -11,7 +11,6 @@
 #include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
 
 namespace asperity {
 namespace {
@@ -42,9 +41,8 @@ std::string summaryText(const ParameterMap& map) {
 /// Returns by which width a nominal pressure became a force; nothing in a map over the width.
 std::string pressureText(const ParameterMap& map) {
   constexpr std::string_view kWidth = "load.width";
-  const auto note = pressureNote(map.points, map.scene.load.width);
-  if (!note || map.x.key() == kWidth || map.y.key() == kWidth) return {};
-  return translated(*note) + "\n";
+  if (map.x.key() == kWidth || map.y.key() == kWidth) return {};
+  return translatedLine(pressureNote(map.points, map.scene.load.width));
 }
 
 }  // namespace

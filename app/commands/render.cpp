@@ -80,13 +80,13 @@ class Rendering {
                                          : chosen(kContactOverlays, command.overlay, "--overlay")) {
     checkUsage();
     checkParts();
-    if (showsCurve()) checkCurves(command.curves, scene_);
+    if (showsCurve(layout_)) checkCurves(command.curves, scene_);
     withSceneContext(command_.common, [&] {
       checkLayout();
       frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, command_.view.fields(overlay_),
                       command_.view.finest());
       checkView(command_.view, overlay_, frames_->length());
-      if (showsCurve()) computeCurves();
+      if (showsCurve(layout_)) computeCurves();
       reading_ = readingFacts(scene_);
     });
     composer_.emplace(settings_, content());
@@ -110,7 +110,7 @@ class Rendering {
   std::string summary() const {
     std::string text = "mu = " + answerNumber(lineFriction(last_), 6);
     if (std::isfinite(last_.muError)) text += " \u00B1 " + answerNumber(last_.muError, 2);
-    text += "\n" + factLines(reading_);
+    text += "\n" + translatedLines(reading_);
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += framesText() + "\n";
     if (const std::int64_t kept = count() - drawn_; kept > 0)
@@ -184,10 +184,6 @@ class Rendering {
                 command_.output + " is one picture; frames need a folder or a film");
   }
 
-  bool showsCurve() const {
-    return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
-  }
-
   /// Throws for options of a part of the picture that the layout does not have.
   void checkParts() const {
     const auto refuse = [&](const char* option, const char* part) {
@@ -202,7 +198,7 @@ class Rendering {
       if (command_.time.at && scene_.sliding.kind == SlidingKind::Steady)
         refuse("--at", "the contact");
     }
-    if (!showsCurve())
+    if (!showsCurve(layout_))
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
     if (layout_ == PictureLayout::Contact)
       refuseChartOptions(
@@ -234,7 +230,7 @@ class Rendering {
   Json origin() const {
     const ProvenanceOptions given(optionsFor(command_.common.given, command_.output + ".png"));
     Json origin = provenance("render", scene_);
-    if (showsCurve()) addCurveOversampling(origin, scene_);
+    if (showsCurve(layout_)) addCurveOversampling(origin, scene_);
     Json& picture = origin["picture"] = settings_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;

@@ -8,7 +8,6 @@
 #include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -22,14 +21,13 @@ int runSensitivity(const TableCommand& command) {
                          .progress = [&bar](double part) { bar.showPart(part); }};
     return sensitivityExponents(scene, sensitivities(scene, options));
   });
-  const auto pressure = pressureNote(scene);
   const auto origin = [&] { return provenance("sensitivity", scene); };
   writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + sensitivityCsv(exponents); },
                .json = [&] { return sensitivityJson(scene, exponents); },
                .sheet = [&] { return sensitivitySheet(scene, exponents); },
                .origin = origin,
-               .summary = pressure ? translated(*pressure) + "\n" : "",
+               .summary = translatedLine(pressureNote(scene)),
                .reading = readingFacts(scene),
                .printed = sensitivityText(exponents, {Words::tr("parameter"), Words::tr("value"),
                                                       Words::tr("exponent"), Words::tr("error")})});

@@ -127,7 +127,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   const StudyBudget budget =
       studyBudget(study, shard.simulations(study), done, command.common.threads);
   const std::vector<Message> reading = readingFactsOfBase(study);
-  printSummary(command.common, planText(budget) + factLines(reading));
+  printSummary(command.common, planText(budget) + translatedLines(reading));
   if (command.common.json) {
     Json answer = planJson(study, budget);
     addReadingFacts(answer, reading);
@@ -236,7 +236,7 @@ int runStudyRun(const StudyCommand& command) {
   }
   if (added > 0) checkReadable(store);
   const std::vector<Message> reading = readingFactsOfBase(study);
-  printSummary(command.common, stateText(store, added, total) + factLines(reading));
+  printSummary(command.common, stateText(store, added, total) + translatedLines(reading));
   if (command.common.json) {
     Json answer = header(study);
     answer["simulations"] = total;

@@ -43,7 +43,7 @@ std::string valueText(double value, const std::string& unit) {
 
 /// Returns the interpretation of the file, and the values before and after processing.
 std::string measuredText(const MeasuredSummary& summary) {
-  std::string text = factLines(factsOf(summary));
+  std::string text = translatedLines(factsOf(summary));
   // fmt counts letters, not bytes.
   const auto cell = [](const std::string& word) { return fmt::format("{:<13} ", word); };
   text += cell("") + cell(Words::tr("raw")) + Words::tr("used") + "\n";
@@ -150,7 +150,7 @@ int runSurface(const SurfaceCommand& command) {
     const LineSource source(scene, writtenPointsPerElement(scene, isFile));
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
-                                                : factLines(source.spectrumFacts())) +
+                                                : translatedLines(source.spectrumFacts())) +
                              noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);

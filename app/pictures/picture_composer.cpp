@@ -176,10 +176,9 @@ void PictureComposer::checkPlanned() const {
 
 void PictureComposer::fitHeight(const Scene& scene) {
   checkStrips(scene);
-  const PictureLayout layout = content_.layout;
-  if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
+  if (!showsCurve(content_.layout)) return;
   DiagramSheet sheet = sheetOfCurves(settings_.style);
-  const int above = layout == PictureLayout::Both ? contactHeight() : 0;
+  const int above = content_.layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
   if (!settings_.isOnPaper && above == 0) return;
   // The marker comes with the frame; its entry in the legend and its label are included in the

@@ -16,6 +16,9 @@
 namespace asperity {
 
 enum class PictureLayout { Contact, Curve, Both, Transient };
+inline bool showsCurve(PictureLayout layout) {
+  return layout == PictureLayout::Curve || layout == PictureLayout::Both;
+}
 
 /// Returns the layout of this name. Throws InputError naming the key or the option.
 PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");

@@ -59,7 +59,7 @@ SequenceFiles::SequenceFiles(const std::string& folder, std::int64_t count,
   makeFolder(folder);
   const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
   for (std::int64_t i = 1; i <= count; ++i)
-    files_.push_back((fs::path(folder) / fmt::format("frame_{:0{}}.png", i, digits)).string());
+    files_.push_back(fileIn(folder, fmt::format("frame_{:0{}}.png", i, digits)));
   checkWritable(files_.front());
 }
 
@@ -86,7 +86,7 @@ std::vector<std::int64_t> SequenceFiles::missing() const {
 std::int64_t SequenceFiles::removeLeftOver() const {
   std::int64_t removed = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
-    const std::string file = (fs::path(folder_) / entry.path().filename()).string();
+    const std::string file = fileIn(folder_, entry.path().filename().string());
     if (!isFrameName(entry.path().filename().string()) || !entry.is_regular_file() ||
         std::ranges::binary_search(files_, file) || !isOwnFrame(file))
       continue;
