@@ -1,12 +1,11 @@
 #include "app/batch/batch_progress.h"
 
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 
-#include "core/base/file_digest.h"
 #include "core/base/json_text.h"
 
 namespace asperity {
@@ -16,22 +15,51 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kName = ".asperity_batch_progress";
 
-// A point is kept as its bytes: every bit of it comes back, and a key that holds the version of the
-// program ensures that it is the same program that reads them.
-static_assert(std::is_trivially_copyable_v<CurvePoint>);
+// A number is kept as the integer of its bits, so that all of them come back, also those of NaN.
 
-std::string toHex(const CurvePoint& point) {
-  return hexadecimal({reinterpret_cast<const std::uint8_t*>(&point), sizeof(CurvePoint)});
+Json toBits(double number) {
+  return std::bit_cast<std::uint64_t>(number);
 }
 
-/// Throws std::runtime_error where the text is not that of a point.
-CurvePoint pointFromHex(const std::string& text) {
-  std::array<unsigned char, sizeof(CurvePoint)> bytes{};
-  if (text.size() != 2 * bytes.size()) throw std::runtime_error("not a point");
-  for (std::size_t i = 0; i < bytes.size(); ++i)
-    bytes[i] = static_cast<unsigned char>(std::stoi(text.substr(2 * i, 2), nullptr, 16));
+double fromBits(const Json& bits) {
+  return std::bit_cast<double>(bits.get<std::uint64_t>());
+}
+
+/// Returns the addresses of the numbers of a point, to write or to read them. The binding names all
+/// members, so that it does not compile where one was added.
+template <class Point>
+auto numbersOf(Point& point) {
+  auto& [velocity, mu, muStandardError, muLaw, contactFraction, rmsSlopeContact, indentation,
+         normalizedMu, dimensionlessVelocity, dimensionlessForce, realizations, muLow, muHigh,
+         muInterface, muRatioOfMeans, marginalShare, normalForce, nominalPressure, meanPressure,
+         extrapolated, contactSpots, listsContacts, swept, forceOnPeriod, tangentialForce, power,
+         contactPressure, notes] = point;
+  const auto addresses = [](auto&... numbers) { return std::array{&numbers...}; };
+  return addresses(velocity, mu, muStandardError, muLaw, contactFraction, rmsSlopeContact,
+                   indentation, normalizedMu, dimensionlessVelocity, dimensionlessForce, muLow,
+                   muHigh, muInterface, muRatioOfMeans, marginalShare, normalForce, nominalPressure,
+                   meanPressure, extrapolated, contactSpots, swept, forceOnPeriod, tangentialForce,
+                   power, contactPressure);
+}
+
+Json pointJson(const CurvePoint& point) {
+  Json numbers = Json::array(), notes = Json::array();
+  for (const double* number : numbersOf(point)) numbers.push_back(toBits(*number));
+  for (const Note note : point.notes.list()) notes.push_back(static_cast<int>(note));
+  return {{"numbers", numbers},
+          {"realizations", point.realizations},
+          {"lists_contacts", point.listsContacts},
+          {"notes", notes}};
+}
+
+/// Throws where the JSON is not that of a point.
+CurvePoint pointFrom(const Json& json) {
   CurvePoint point;
-  std::memcpy(static_cast<void*>(&point), bytes.data(), bytes.size());
+  for (std::size_t i = 0; double* number : numbersOf(point))
+    *number = fromBits(json.at("numbers").at(i++));
+  point.realizations = json.at("realizations");
+  point.listsContacts = json.at("lists_contacts");
+  for (const int note : json.at("notes")) point.notes.add(static_cast<Note>(note));
   return point;
 }
 
@@ -45,12 +73,12 @@ BatchProgress::BatchProgress(const std::filesystem::path& folder)
     while (std::getline(lines, line)) {
       const Json json = jsonValue(line);
       BatchProgressEntry entry;
-      for (const Json& point : json.at("curve")) entry.curve.push_back(pointFromHex(point));
-      if (!json.at("mean").is_null()) entry.result.mean = pointFromHex(json.at("mean"));
-      const CurvePoint shown = pointFromHex(json.at("line"));
-      entry.result.lineMu = shown.mu;
-      entry.result.lineIndentation = shown.indentation;
-      entry.result.lineContactFraction = shown.contactFraction;
+      for (const Json& point : json.at("curve")) entry.curve.push_back(pointFrom(point));
+      if (!json.at("mean").is_null()) entry.result.mean = pointFrom(json.at("mean"));
+      const Json& shown = json.at("line");
+      entry.result.lineMu = fromBits(shown.at(0));
+      entry.result.lineIndentation = fromBits(shown.at(1));
+      entry.result.lineContactFraction = fromBits(shown.at(2));
       entry.result.files = json.at("files").get<std::vector<std::string>>();
       entries_[json.at("key").get<std::string>()] = std::move(entry);
     }
@@ -70,13 +98,11 @@ const BatchProgressEntry* BatchProgress::find(const std::string& key) const {
 
 void BatchProgress::add(const std::string& key, const BatchProgressEntry& entry) {
   Json json = {{"key", key}, {"files", entry.result.files}, {"mean", nullptr}};
-  if (entry.result.mean) json["mean"] = toHex(*entry.result.mean);
-  CurvePoint shown{.mu = entry.result.lineMu,
-                   .contactFraction = entry.result.lineContactFraction,
-                   .indentation = entry.result.lineIndentation};
-  json["line"] = toHex(shown);
+  if (entry.result.mean) json["mean"] = pointJson(*entry.result.mean);
+  json["line"] = {toBits(entry.result.lineMu), toBits(entry.result.lineIndentation),
+                  toBits(entry.result.lineContactFraction)};
   Json& curve = json["curve"] = Json::array();
-  for (const CurvePoint& point : entry.curve) curve.push_back(toHex(point));
+  for (const CurvePoint& point : entry.curve) curve.push_back(pointJson(point));
   std::ofstream(file_, std::ios::app) << jsonLine(json) + "\n";
 }
 

@@ -4,8 +4,10 @@
 #include <nettle/sha2.h>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <mutex>
+#include <span>
 
 #include "core/base/regular_file.h"
 
@@ -16,6 +18,17 @@ namespace fs = std::filesystem;
 
 const std::uint8_t* asBytes(std::string_view text) {
   return reinterpret_cast<const std::uint8_t*>(text.data());
+}
+
+/// Returns two hexadecimal digits for each byte.
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
 }
 
 class Sha256 {
@@ -39,16 +52,6 @@ struct Known {
 };
 
 }  // namespace
-
-std::string hexadecimal(std::span<const std::uint8_t> bytes) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
-}
 
 std::string sha256(std::string_view bytes) {
   Sha256 sha;

@@ -2,16 +2,11 @@
 // was made, and MD5, which formats of files state of their own parts.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace asperity {
-
-/// Returns two hexadecimal digits for each byte.
-std::string hexadecimal(std::span<const std::uint8_t> bytes);
 
 /// Return the digest as 64 and as 32 hexadecimal digits.
 std::string sha256(std::string_view bytes);
