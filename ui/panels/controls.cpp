@@ -13,6 +13,8 @@
 #include <QSplitter>
 #include <QToolButton>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 
 QWidget& orderTabs(QWidget& before, const QLayout& layout) {
@@ -74,6 +76,13 @@ QAction* checkedEntry(QObject& menuOrGroup, const QString& name, const QString& 
   entry->setChecked(isChecked);
   QObject::connect(entry, &QAction::triggered, entry, std::move(choose));
   return entry;
+}
+
+QMenu* addSubmenu(QMenu& menu, const QString& name, std::function<QString()> title) {
+  QMenu* submenu = menu.addMenu(QString());
+  submenu->setObjectName(name);
+  keepTranslated(*submenu, [submenu, title = std::move(title)] { submenu->setTitle(title()); });
+  return submenu;
 }
 
 QMessageBox::StandardButton ask(

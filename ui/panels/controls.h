@@ -13,6 +13,7 @@
 
 class QAction;
 class QLabel;
+class QMenu;
 class QPlainTextEdit;
 class QProgressBar;
 class QScrollArea;
@@ -85,6 +86,9 @@ QPlainTextEdit* fixedText(const QString& name);
 /// menus. choose: called with the new state when the user chooses the entry.
 QAction* checkedEntry(QObject& menuOrGroup, const QString& name, const QString& text,
                       bool isChecked, std::function<void(bool isChecked)> choose);
+
+/// Adds a submenu; `title` returns its title in the language of the window.
+QMenu* addSubmenu(QMenu& menu, const QString& name, std::function<QString()> title);
 
 /// A question in plain text: titles and file names are not markup.
 struct Question {

@@ -67,8 +67,7 @@ void ComparisonCommands::addTo(Commands& commands) {
 
 void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
   menu.addSeparator();
-  theories_ = menu.addMenu(QString());
-  theories_->setObjectName("theoryMenu");
+  theories_ = addSubmenu(menu, "theoryMenu", [] { return tr("Theories"); });
   theories_->setToolTipsVisible(true);
   for (const TheoryEntry& entry : theoryEntries()) {
     QAction* action = checkedEntry(
@@ -80,14 +79,9 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
     });
   }
   menu.addAction(commands.get("openFriction"));
-  tables_ = menu.addMenu(QString());
-  tables_->setObjectName("measuredMenu");
+  tables_ = addSubmenu(menu, "measuredMenu", [] { return tr("Remove measured friction"); });
   tables_->setToolTipsVisible(true);
   connect(tables_, &QMenu::aboutToShow, this, &ComparisonCommands::fillTables);
-  keepTranslated(menu, [this] {
-    theories_->setTitle(tr("Theories"));
-    tables_->setTitle(tr("Remove measured friction"));
-  });
   menu.addAction(commands.get("fitParameters"));
   showScene(parts_.document.scene());
 }

@@ -51,76 +51,76 @@ std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
 
 CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
-  pin_ =
-      add("pinCurve", [this] { session_.editCurve([](FrictionChartModel& plot) { plot.pin(); }); });
+  pin_ = add(
+      "pinCurve", [] { return tr("Pin curve"); },
+      [this] { session_.editCurve([](FrictionChartModel& plot) { plot.pin(); }); },
+      [] { return tr("Keeps this curve to compare others with"); });
   pin_->setShortcut(Qt::Key_P);
-  unpinAll_ = add("unpinAll", [this] {
-    session_.editCurve([](FrictionChartModel& plot) { plot.unpinAll(); });
-  });
+  unpinAll_ = add(
+      "unpinAll", [] { return tr("Unpin all"); },
+      [this] { session_.editCurve([](FrictionChartModel& plot) { plot.unpinAll(); }); });
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
-  dimensionless_ = add("dimensionlessAxes", [] {});
+  dimensionless_ = add(
+      "dimensionlessAxes", [] { return tr("Dimensionless axes"); }, [] {},
+      [] { return tr("v̄ of Eq. (13) and μ over the rms slope of the line"); });
   dimensionless_->setCheckable(true);
   dimensionless_->setShortcut(Qt::Key_D);
   connect(dimensionless_, &QAction::toggled, this, &CurveCommands::setAxes);
-  linearX_ = add("linearAxis", [this] { spaceEvenly(linearX_->isChecked()); });
+  linearX_ = add(
+      "linearAxis", [] { return tr("Linear horizontal axis"); },
+      [this] { spaceEvenly(linearX_->isChecked()); });
   linearX_->setCheckable(true);
-  linearY_ = add("linearQuantity", [this] {
-    session_.editCurve(
-        [this](FrictionChartModel& plot) { plot.setLinearY(linearY_->isChecked()); });
-  });
+  linearY_ = add(
+      "linearQuantity", [] { return tr("Linear vertical axis"); },
+      [this] {
+        session_.editCurve(
+            [this](FrictionChartModel& plot) { plot.setLinearY(linearY_->isChecked()); });
+      });
   linearY_->setCheckable(true);
-  nearer_ = add("curveNearer", [this] { view_.zoom(1 / kZoom); });
-  farther_ = add("curveFarther", [this] { view_.zoom(kZoom); });
-  fit_ = add("curveFit", [this] {
-    view_.fit();
-    session_.editCurve([](FrictionChartModel& plot) { plot.fitVerticalAxis(); });
-  });
-  save_ = add("saveCurve", [this] { askSave(); });
+  nearer_ = add(
+      "curveNearer", [] { return tr("Zoom in"); }, [this] { view_.zoom(1 / kZoom); });
+  farther_ = add(
+      "curveFarther", [] { return tr("Zoom out"); }, [this] { view_.zoom(kZoom); });
+  fit_ = add(
+      "curveFit", [] { return tr("Fit axes"); },
+      [this] {
+        view_.fit();
+        session_.editCurve([](FrictionChartModel& plot) { plot.fitVerticalAxis(); });
+      });
+  save_ = add(
+      "saveCurve", [] { return tr("Save curve…"); }, [this] { askSave(); },
+      [] { return tr("Everything that is shown, as a picture or as a table"); });
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
-  copy_ = add("copyCurvePicture", [this] { copyPicture(); });
-  guide_ = add("aboutCurve", [this] { emit guideRequested(view_.guideAnchor()); });
+  copy_ = add(
+      "copyCurvePicture", [] { return tr("Copy curve picture"); }, [this] { copyPicture(); });
+  guide_ = add(
+      "aboutCurve", [] { return tr("Read about it in the guide"); },
+      [this] { emit guideRequested(view_.guideAnchor()); },
+      [] { return tr("Opens the guide at what is under the pointer: a region, a curve, a law"); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
   connect(&view_, &ChartView::fitRequested, fit_, &QAction::trigger);
 }
 
-QAction* CurveCommands::add(const char* name, std::function<void()> run) {
+QAction* CurveCommands::add(const char* name, Text text, std::function<void()> run, Text tip) {
   auto* action = named<QAction>(name, this);
   connect(action, &QAction::triggered, this, std::move(run));
+  keepTranslated(*this, [action, text, tip] {
+    action->setText(text());
+    if (tip) action->setToolTip(tip());
+  });
   return action;
-}
-
-void CurveCommands::showTexts() {
-  pin_->setText(tr("Pin curve"));
-  pin_->setToolTip(tr("Keeps this curve to compare others with"));
-  unpin_->setTitle(tr("Unpin"));
-  unpinAll_->setText(tr("Unpin all"));
-  dimensionless_->setText(tr("Dimensionless axes"));
-  dimensionless_->setToolTip(tr("v̄ of Eq. (13) and μ over the rms slope of the line"));
-  keys_->setTitle(tr("Horizontal axis"));
-  quantities_->setTitle(tr("Vertical axis"));
-  family_->setTitle(tr("Family of curves"));
-  family_->setToolTip(tr("Pins some curves, at as many values of another parameter"));
-  linearX_->setText(tr("Linear horizontal axis"));
-  linearY_->setText(tr("Linear vertical axis"));
-  nearer_->setText(tr("Zoom in"));
-  farther_->setText(tr("Zoom out"));
-  fit_->setText(tr("Fit axes"));
-  save_->setText(tr("Save curve…"));
-  save_->setToolTip(tr("Everything that is shown, as a picture or as a table"));
-  copy_->setText(tr("Copy curve picture"));
-  guide_->setText(tr("Read about it in the guide"));
-  guide_->setToolTip(tr("Opens the guide at what is under the pointer: a region, a curve, a law"));
 }
 
 void CurveCommands::fill(QMenu& menu) {
   menu.setToolTipsVisible(true);
   menu.addAction(pin_);
-  unpin_ = menu.addMenu(QString());
-  unpin_->setObjectName("unpinMenu");
+  unpin_ = addSubmenu(menu, "unpinMenu", [] { return tr("Unpin"); });
   connect(unpin_, &QMenu::aboutToShow, this, &CurveCommands::fillUnpin);
   menu.addAction(unpinAll_);
-  family_ = menu.addMenu(QString());
-  family_->setObjectName("familyMenu");
+  family_ = addSubmenu(menu, "familyMenu", [] { return tr("Family of curves"); });
+  keepTranslated(*family_, [this] {
+    family_->setToolTip(tr("Pins some curves, at as many values of another parameter"));
+  });
   connect(family_, &QMenu::aboutToShow, this, [this] {
     fillKeys(
         *family_, [this](const Parameter& row) { pinFamily(row); },
@@ -128,14 +128,12 @@ void CurveCommands::fill(QMenu& menu) {
     addFamilySizes();
   });
   menu.addSeparator();
-  keys_ = menu.addMenu(QString());
-  keys_->setObjectName("axisMenu");
+  keys_ = addSubmenu(menu, "axisMenu", [] { return tr("Horizontal axis"); });
   connect(keys_, &QMenu::aboutToShow, this, [this] {
     fillKeys(
         *keys_, [this](const Parameter& row) { chooseAxis(&row); }, true);
   });
-  quantities_ = menu.addMenu(QString());
-  quantities_->setObjectName("quantityMenu");
+  quantities_ = addSubmenu(menu, "quantityMenu", [] { return tr("Vertical axis"); });
   connect(quantities_, &QMenu::aboutToShow, this, &CurveCommands::fillQuantities);
   menu.addActions({linearX_, linearY_, dimensionless_, nearer_, farther_, fit_});
   menu.addSeparator();
@@ -154,7 +152,6 @@ void CurveCommands::fill(QMenu& menu) {
       {keys_->menuAction(), quantities_->menuAction(), linearX_, linearY_, dimensionless_, fit_});
   addGroup({save_, copy_});
   addGroup({guide_});
-  keepTranslated(menu, [this] { showTexts(); });
   showState();
 }
 
@@ -380,7 +377,7 @@ void CurveCommands::copyPicture() {
   const auto image = std::make_shared<QImage>();
   const double scale = view_.devicePixelRatioF();
   const QSize size = view_.size().expandedTo({900, 600}) * scale;
-  const Theme& theme = isDark(view_.palette()) ? darkTheme() : lightTheme();
+  const Theme& theme = pictureTheme(view_.palette());
   run_([set = *set, image, size, scale, &theme] { *image = renderCurves(set, size, scale, theme); },
        [this, image] {
          QGuiApplication::clipboard()->setImage(*image);

@@ -64,8 +64,9 @@ class CurveCommands : public QObject {
   void failed(const asperity::LiveText& reason);
 
  private:
-  QAction* add(const char* name, std::function<void()> run);
-  void showTexts();
+  /// Returns a text in the language of the window.
+  using Text = QString (*)();
+  QAction* add(const char* name, Text text, std::function<void()> run, Text tip = nullptr);
   void fillUnpin();
   void showState();
   void askSave();

@@ -196,15 +196,14 @@ void Appearance::addTo(Commands& commands) {
 }
 
 void Appearance::addMenu(QMenu& menu) {
-  QMenu* themes = menu.addMenu(QString());
+  QMenu* themes = addSubmenu(menu, {}, [] { return tr("Theme"); });
   auto* group = new QActionGroup(this);
   for (const ThemeChoice choice : {ThemeChoice::System, ThemeChoice::Light, ThemeChoice::Dark}) {
     choices_ += checkedEntry(*themes, QStringLiteral("colours:%1").arg(static_cast<int>(choice)),
                              {}, choice == choice_, [this, choice](bool) { chooseTheme(choice); });
     group->addAction(choices_.last());
   }
-  keepTranslated(*themes, [this, themes] {
-    themes->setTitle(tr("Theme"));
+  keepTranslated(*themes, [this] {
     choices_[0]->setText(tr("Same as system"));
     choices_[1]->setText(tr("Light"));
     choices_[2]->setText(tr("Dark"));

@@ -244,14 +244,10 @@ SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& t
 // ---- Recent files
 
 void DocumentCommands::addRecentMenu(QMenu& menu) {
-  recent_ = menu.addMenu(QString());
-  recent_->setObjectName("recentMenu");
+  recent_ = addSubmenu(menu, "recentMenu", [] { return tr("Open recent"); });
   recent_->setToolTipsVisible(true);
   connect(&menu, &QMenu::aboutToShow, this, &DocumentCommands::fillRecent);
-  keepTranslated(*recent_, [this] {
-    recent_->setTitle(tr("Open recent"));
-    fillRecent();
-  });
+  keepTranslated(*recent_, [this] { fillRecent(); });
 }
 
 /// Fills the menu. Files of the same name differ in their tooltips.

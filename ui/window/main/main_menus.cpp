@@ -95,10 +95,9 @@ void fillScenes(QMenu& menu, const std::function<void(const QString&)>& open) {
   for (const LibraryScene& entry : libraryScenes()) {
     if (entry.scene.chapter != chapter) {
       chapter = entry.scene.chapter;
-      part = chapter.empty() ? &menu : menu.addMenu(QString());
+      part =
+          chapter.empty() ? &menu : addSubmenu(menu, {}, [chapter] { return sceneText(chapter); });
       part->setToolTipsVisible(true);
-      if (part != &menu)
-        keepTranslated(*part, [part, chapter] { part->setTitle(sceneText(chapter)); });
     }
     QAction* action = part->addAction(QString(), part, [open, &entry] { open(entry.name); });
     action->setObjectName("scene:" + entry.name);
@@ -112,7 +111,7 @@ void fillScenes(QMenu& menu, const std::function<void(const QString&)>& open) {
 
 /// Adds a submenu of all languages and the desktop's language; the choice is remembered.
 void fillLanguages(QMenu& menu, const std::function<void(std::string_view)>& use) {
-  QMenu* names = menu.addMenu(QString());
+  QMenu* names = addSubmenu(menu, {}, [] { return MainMenus::tr("&Language"); });
   auto* group = new QActionGroup(names);
   const auto add = [&](const QString& name, const QString& code) {
     QAction* action = checkedEntry(*names, "language:" + code, name,
@@ -125,10 +124,7 @@ void fillLanguages(QMenu& menu, const std::function<void(std::string_view)>& use
   QAction* system = add({}, {});
   for (const Language& language : languages())
     add(fromUtf8(language.name), fromUtf8(language.code));
-  keepTranslated(*names, [names, system] {
-    names->setTitle(MainMenus::tr("&Language"));
-    system->setText(MainMenus::tr("Same as system"));
-  });
+  keepTranslated(*names, [system] { system->setText(MainMenus::tr("Same as system")); });
 }
 
 void addToolBar(const MenuParts& parts, QMenu& scenesMenu) {

@@ -262,9 +262,7 @@ void SceneTabs::addKey(int index) {
 }
 
 void SceneTabs::addMenu(QMenu& menu) {
-  menu_ = menu.addMenu(QString());
-  menu_->setObjectName("tabsMenu");
-  keepTranslated(*menu_, [tabs = menu_] { tabs->setTitle(tr("Tabs")); });
+  menu_ = addSubmenu(menu, "tabsMenu", [] { return tr("Tabs"); });
   for (const Page& page : pages_) menu_->addAction(page.action);
 }
 
