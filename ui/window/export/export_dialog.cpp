@@ -32,7 +32,8 @@ namespace {
 constexpr int kPreviewPause = 250;     // ms without a change before the preview is requested
 constexpr double kPreview = 640;       // largest width or height of a preview, pixels
 constexpr double kMin = 160;           // smallest side of a picture that a command draws
-constexpr double kMinDensity = 24;     // smallest density, pixels per inch
+constexpr double kMinDensity = 24;     // smallest density of a picture, pixels per inch
+constexpr double kMaxDensity = 1536;   // and the largest
 constexpr std::int64_t kLines = 8;     // of the curve in a preview
 constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
@@ -251,6 +252,27 @@ ExportRequest ExportDialog::previewOfFigure(ExportRequest request, QStringList& 
   return request;
 }
 
+/// Gives a picture the size of the preview, with smaller texts and lines. A size or a resolution
+/// that is not allowed is passed to the command, which reports the error.
+void ExportDialog::shrink(ExportRequest& request) const {
+  const QSizeF pixels = form_->pixels();
+  if (pixels.isEmpty() || request.size.isEmpty()) return;
+  const double large = std::max(pixels.width(), pixels.height());
+  const double small = std::min(pixels.width(), pixels.height());
+  const QString given = QString(request.scale).remove("dpi");
+  const bool isOnPaper = request.size.contains("mm");
+  const double density = given.isEmpty() ? (isOnPaper ? 300 : 96) : given.toDouble();
+  if (!(density >= kMinDensity && density <= kMaxDensity)) return;
+  const double factor =
+      std::max({std::min(1.0, kPreview / large), kMin / small, kMinDensity / density});
+  if (factor >= 1) return;
+  request.scale = QString::number(density * factor, 'g', 8) + "dpi";
+  if (!isOnPaper)
+    request.size = QStringLiteral("%1x%2")
+                       .arg(std::lround(pixels.width() * factor))
+                       .arg(std::lround(pixels.height() * factor));
+}
+
 /// Runs the command for fewer pixels and fewer lines. A film is shown by one picture.
 void ExportDialog::requestPreview() {
   if (const QString errorText = form_->errorText(); !errorText.isEmpty()) return refuse(errorText);
@@ -262,26 +284,8 @@ void ExportDialog::requestPreview() {
     notes += tr("One picture of the film, which begins at time 0.");
   }
   if (request.kind == ExportKind::Figure) request = previewOfFigure(request, notes);
-  if (request.kind != ExportKind::Table) {
-    if (request.kind == ExportKind::Picture) extension = ".png";
-    if (const QSizeF pixels = form_->pixels(); !pixels.isEmpty() && !request.size.isEmpty()) {
-      const double large = std::max(pixels.width(), pixels.height());
-      const double small = std::min(pixels.width(), pixels.height());
-      const QString given = QString(request.scale).remove("dpi");
-      const bool isOnPaper = request.size.contains("mm");
-      const double density = given.isEmpty() ? (isOnPaper ? 300 : 96) : given.toDouble();
-      const double factor = std::max(
-          {std::min(1.0, kPreview / large), kMin / small, density > 0 ? kMinDensity / density : 1});
-      // A resolution that is not allowed is passed to the command, which reports the error.
-      if (factor < 1 && density >= kMinDensity && density <= 1536) {
-        request.scale = QString::number(density * factor, 'g', 8) + "dpi";
-        if (!isOnPaper)
-          request.size = QStringLiteral("%1x%2")
-                             .arg(std::lround(pixels.width() * factor))
-                             .arg(std::lround(pixels.height() * factor));
-      }
-    }
-  }
+  if (request.kind == ExportKind::Picture) extension = ".png";
+  shrink(request);
   const bool hasCurve = request.content == "curve" || request.content == "both";
   if (hasCurve && subject_.scene.ensemble.realizations > kLines) {
     request.further += {"--set", QStringLiteral("ensemble.realizations=%1").arg(kLines)};

@@ -74,6 +74,7 @@ class ExportDialog : public QDialog {
   void showCommand();
   ExportRequest previewOfFigure(ExportRequest request, QStringList& notes) const;
   void requestPreview();
+  void shrink(ExportRequest& request) const;
   void takePreview();
   void previewFailed(const QString& reason, const NeededHeight& needed);
   void refuse(const QString& reason);

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QFileInfo>
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,6 +21,7 @@
 #include "core/material/prony_file.h"
 #include "core/measured/measured_file.h"
 #include "core/scene/scene_files.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
@@ -46,9 +46,9 @@ constexpr std::uint64_t kLargestTable = std::uint64_t{8} << 20;  // bytes of mea
 
 /// Pictures and films, which hold a scene or nothing that can be opened.
 bool isPicture(const std::filesystem::path& file) {
-  static constexpr std::array<std::string_view, 10> kExtensions{
-      ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff", ".mp4", ".webm", ".gif", ".webp"};
-  return std::ranges::find(kExtensions, lowerCase(file.extension().string())) != kExtensions.end();
+  const std::string extension = lowerCase(file.extension().string());
+  return isOneOf(extension, kPictureExtensions) ||
+         isOneOf(extension, {".mp4", ".webm", ".gif", ".webp"});
 }
 
 bool isMaterialJson(std::string_view text) {

@@ -291,11 +291,13 @@ void MainWindow::connectScene() {
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
             const bool isOpened = change == SceneChange::Opened;
-            if (isOpened) described_.reset();
-            if (isOpened) panel_->showNotes({});
-            if (isOpened) panel_->clearFilter();
-            // An opened scene is shown at once, so the gallery closes.
-            if (isOpened && pages_->isShowingGallery()) pages_->showViews();
+            if (isOpened) {
+              described_.reset();
+              panel_->showNotes({});
+              panel_->clearFilter();
+              // An opened scene is shown at once, so the gallery closes.
+              if (pages_->isShowingGallery()) pages_->showViews();
+            }
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene,
