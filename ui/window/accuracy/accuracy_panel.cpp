@@ -195,10 +195,6 @@ std::optional<CurveSetting> AccuracyPanel::comparison() const {
   return comparisonBox_->setting();
 }
 
-void AccuracyPanel::setTheme(const Theme& theme) {
-  picture_->setTheme(theme);
-}
-
 /// Sets a target. The program then chooses the oversampling, and the scheme is the one that can be
 /// refined.
 void AccuracyPanel::setTarget(double target) {

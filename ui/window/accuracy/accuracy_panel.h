@@ -11,7 +11,6 @@
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_difference.h"
 #include "core/scene/scene.h"
-#include "ui/draw/theme.h"
 #include "ui/window/tasks/background_work.h"
 
 class QLabel;
@@ -46,7 +45,6 @@ class AccuracyPanel : public QWidget {
   void showScene(const Scene& scene);
   /// Shows time and error of the finished curve of this scene.
   void showMeasured(const CurveCost& measured);
-  void setTheme(const Theme& theme);
 
   /// Returns the setting with which the curve is compared; none: no comparison.
   std::optional<CurveSetting> comparison() const;

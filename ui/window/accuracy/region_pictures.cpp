@@ -95,10 +95,6 @@ void RegionPictures::showSheet(DiagramSheet sheet) {
   choose(chosen);
 }
 
-void RegionPictures::setTheme(const Theme& theme) {
-  picture_->setTheme(theme);
-}
-
 /// Shows a diagram; a missing one changes nothing.
 void RegionPictures::choose(int index) {
   if (!buttons_->button(index)) return;

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/chart/diagram.h"
-#include "ui/draw/theme.h"
 
 class QButtonGroup;
 class QHBoxLayout;
@@ -25,7 +24,6 @@ class RegionPictures : public QWidget {
   /// Shows a sheet. The diagram that was chosen last comes first, if there is one with its name.
   void showSheet(DiagramSheet sheet);
   void showText(const QString& text);
-  void setTheme(const Theme& theme);
 
   /// Returns whether there is a sheet, and no text in its place.
   bool hasSheet() const { return sheet_.has_value(); }

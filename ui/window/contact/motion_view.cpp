@@ -140,11 +140,6 @@ void MotionView::showFrame(const Frame& frame) {
   loopFiles_->show(loop, {"friction_loop", origin, table, {}});
 }
 
-void MotionView::setTheme(const Theme& theme) {
-  for (ChartView* chart : {strips_, loop_}) chart->setTheme(theme);
-  for (DiagramView* files : {stripFiles_, loopFiles_}) files->setTheme(theme);
-}
-
 std::optional<double> MotionView::momentAt(QPointF position) const {
   if (strips_->sheet().diagrams.empty()) return {};
   const DiagramAxis& y = strips_->sheet().diagrams.front().y;

@@ -11,7 +11,6 @@
 
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
-#include "ui/draw/theme.h"
 
 class QKeyEvent;
 
@@ -28,7 +27,6 @@ class MotionView : public QWidget {
 
   void showScene(const Scene& scene);
   void showFrame(const Frame& frame);
-  void setTheme(const Theme& theme);
 
   ChartView& strips() { return *strips_; }
   ChartView& loop() { return *loop_; }

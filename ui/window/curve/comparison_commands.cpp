@@ -14,7 +14,6 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/list_box.h"
 #include "ui/window/fit/fit_page.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_tabs.h"
@@ -127,8 +126,7 @@ FitPage* ComparisonCommands::openFit() {
   if (parts_.document.scene().comparison.data.empty() && !parts_.addTable()) return nullptr;
   for (FitPage* page : parts_.window.findChildren<FitPage*>(Qt::FindDirectChildrenOnly))
     delete page;
-  auto* page =
-      new FitPage(parts_.document.scene(), selection_, parts_.appearance.theme(), &parts_.window);
+  auto* page = new FitPage(parts_.document.scene(), selection_, &parts_.window);
   connect(page, &FitPage::valuesChosen, this, &ComparisonCommands::takeValues);
   connect(page, &QDialog::finished, this,
           [this, page] { selection_ = page->choices().selection(); });

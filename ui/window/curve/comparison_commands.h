@@ -18,7 +18,6 @@ class QWidget;
 
 namespace asperity {
 
-class Appearance;
 class Commands;
 class FitPage;
 struct Fit;
@@ -32,7 +31,6 @@ class ComparisonCommands : public QObject {
   struct Parts {
     QWidget& window;
     SceneDocument& document;
-    Appearance& appearance;
     SceneTabs& tabs;
     /// Opens a file dialog for a measured table; returns whether one was added.
     std::function<bool()> addTable;

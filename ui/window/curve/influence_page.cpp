@@ -110,10 +110,6 @@ void InfluencePage::showScene(const Scene& scene) {
   if (isVisible()) compute();
 }
 
-void InfluencePage::setTheme(const Theme& theme) {
-  view_->setTheme(theme);
-}
-
 void InfluencePage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   compute();

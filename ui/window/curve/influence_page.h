@@ -18,7 +18,6 @@ namespace asperity {
 
 class ChoiceBox;
 class DiagramView;
-struct Theme;
 
 class InfluencePage : public QWidget {
   Q_OBJECT
@@ -27,7 +26,6 @@ class InfluencePage : public QWidget {
   explicit InfluencePage(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
-  void setTheme(const Theme& theme);
   DiagramView& view() { return *view_; }
 
  protected:

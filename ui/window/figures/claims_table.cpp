@@ -13,6 +13,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/labels.h"
+#include "ui/panels/panel_style.h"
 
 namespace asperity {
 
@@ -187,7 +188,9 @@ void ClaimsTable::resizeEvent(QResizeEvent* event) {
 
 void ClaimsTable::changeEvent(QEvent* event) {
   QTableWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange && event->type() != QEvent::LanguageChange) return;
+  if (event->type() != QEvent::FontChange && event->type() != QEvent::LanguageChange &&
+      event->type() != QEvent::PaletteChange)
+    return;
   showTexts();
   const int row = unfolded();
   fill();
@@ -201,11 +204,6 @@ int ClaimsTable::unfolded() const {
 void ClaimsTable::setClaims(const std::vector<Claim>& claims) {
   setRowCount(0);  // a row that is chosen unfolds when the choice ends, with its own claim
   claims_ = claims;
-  fill();
-}
-
-void ClaimsTable::setDark(bool dark) {
-  isDark_ = dark;
   fill();
 }
 
@@ -225,7 +223,7 @@ void ClaimsTable::fill() {
                            .arg(richText(claimDetails(claim))));
       setItem(row, column, item);
     }
-    item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark_));
+    item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark(palette())));
     item(row, kHolds)->setFont(boldFont(font()));
   }
   setWidths();

@@ -23,7 +23,6 @@ class ClaimsTable : public QTableWidget {
   explicit ClaimsTable(QWidget* parent = nullptr);
 
   void setClaims(const std::vector<Claim>& claims);
-  void setDark(bool dark);
   /// Returns the selected row; -1: none.
   int unfolded() const;
 
@@ -39,7 +38,6 @@ class ClaimsTable : public QTableWidget {
   void unfold(int row);
 
   std::vector<Claim> claims_;
-  bool isDark_ = false;
 };
 
 }  // namespace asperity

@@ -20,6 +20,7 @@
 #include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/language/translated.h"
+#include "ui/panels/panel_style.h"
 #include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
@@ -112,10 +113,8 @@ void DiagramView::setPlaceholder(const QString& text) {
   update();
 }
 
-void DiagramView::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
-  requestSoon();
+const Theme& DiagramView::theme() const {
+  return pictureTheme(palette());
 }
 
 void DiagramView::setPause(int pause) {
@@ -140,7 +139,8 @@ void DiagramView::request() {
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
   const DiagramOptions options{pixels.width(), pixels.height(),
-                               static_cast<float>(scale * markScale(font())), theme_, minTextSize_};
+                               static_cast<float>(scale * markScale(font())), theme(),
+                               minTextSize_};
   pictures_.request(
       [compose = compose_, options, scale](const BackgroundWork::Run&) {
         Picture picture = compose(options);
@@ -175,10 +175,12 @@ void DiagramView::resizeEvent(QResizeEvent* event) {
   requestSoon();
 }
 
-/// The texts of the picture have the font and language of the window.
+/// The picture has the colours of the window, and its texts the font and the language.
 void DiagramView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) requestSoon();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange ||
+      event->type() == QEvent::PaletteChange)
+    requestSoon();
 }
 
 void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
@@ -203,7 +205,7 @@ void DiagramView::saveAs() {
 
 void DiagramView::save(const QString& file) {
   files_.request(
-      [maker = maker_, saved = export_, theme = theme_, file](const BackgroundWork::Run&) {
+      [maker = maker_, saved = export_, theme = theme(), file](const BackgroundWork::Run&) {
         const std::filesystem::path path = file.toStdString();
         if (saved.table && file.endsWith(".csv", Qt::CaseInsensitive))
           return writeFileAtomically(path, saved.table());
@@ -218,7 +220,8 @@ void DiagramView::save(const QString& file) {
 
 void DiagramView::copy() {
   files_.request(
-      [maker = export_.sheet ? export_.sheet : maker_, theme = theme_](const BackgroundWork::Run&) {
+      [maker = export_.sheet ? export_.sheet : maker_,
+       theme = theme()](const BackgroundWork::Run&) {
         const DiagramSheet sheet = makeSheet(maker);
         return renderImage(contextOfThread(), composeDiagrams(sheet, printOptions(sheet, theme)));
       },
@@ -237,9 +240,9 @@ bool DiagramView::hasFrame() const {
 /// Stretches the last picture until one of the new size is ready.
 void DiagramView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), toQColor(theme_.background));
+  painter.fillRect(rect(), toQColor(theme().background));
   if (!hasFrame() && !placeholder_.isEmpty()) {
-    painter.setPen(toQColor(theme_.faintText));
+    painter.setPen(toQColor(theme().faintText));
     return painter.drawText(rect().adjusted(40, 20, -40, -20), Qt::AlignCenter | Qt::TextWordWrap,
                             placeholder_);
   }

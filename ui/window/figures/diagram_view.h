@@ -1,8 +1,8 @@
 // Shows diagrams, or another picture, that are made and drawn in the background for the size, the
-// theme, the font and the language of the view: only the newest request, and only while the view is
-// visible; a menu copies or saves diagrams. GUI thread; owned by its parent. Failure: an error of
-// the maker is shown as text instead of the diagrams; where nothing can be drawn the view is empty,
-// and the signal reports it, as it does where a file cannot be written.
+// palette, the font and the language of the view: only the newest request, and only while the view
+// is visible; a menu copies or saves diagrams. GUI thread; owned by its parent. Failure: an error
+// of the maker is shown as text instead of the diagrams; where nothing can be drawn the view is
+// empty, and the signal reports it, as it does where a file cannot be written.
 #pragma once
 
 #include <QImage>
@@ -54,7 +54,6 @@ class DiagramView : public QWidget {
   /// Sets the text that is shown in the middle while there is no diagram yet; empty: none.
   void setPlaceholder(const QString& text);
   QString placeholder() const { return placeholder_; }
-  void setTheme(const Theme& theme);
   /// Sets the minimum time between two pictures, ms.
   void setPause(int pause);
   /// Sets the minimum size of texts in a low view, relative to their usual size.
@@ -91,7 +90,8 @@ class DiagramView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
-  const Theme& theme() const { return theme_; }
+  /// Returns the theme that belongs to the palette of the view.
+  const Theme& theme() const;
 
  private:
   QString saveText() const;
@@ -110,7 +110,6 @@ class DiagramView : public QWidget {
   Maker maker_;  // of the diagrams, if the picture has some
   DiagramExport export_;
   std::function<Picture(const DiagramOptions&)> compose_;
-  Theme theme_ = lightTheme();
   float minTextSize_ = 1;  // views are low, which would make their texts small
   QImage image_;
   std::vector<ChartGeometry> frames_;

@@ -24,7 +24,6 @@
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_queue.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
 
@@ -70,6 +69,7 @@ QString figuresStyleSheet(const QPalette& palette) {
 FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
     : QWidget(parent), queue_(new FigureQueue(std::move(maker), this)) {
   setObjectName("figuresPage");
+  setStyle();
   messages_ = new MessageBar;
   auto* splitter = thinSplitter(Qt::Horizontal);
   splitter->addWidget(makeLeft());
@@ -97,15 +97,21 @@ FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
   showChosen();
 }
 
-/// Sets the texts that depend on what is computed and shown.
+/// Sets the colours, and the texts that depend on what is computed and shown.
 void FiguresPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) setStyle();
   if (event->type() != QEvent::LanguageChange) return;
   showNote({});
   describePicture();
   // This runs later, because the buttons get the event after this page and first set their usual
   // texts.
   QMetaObject::invokeMethod(this, &FiguresPage::showWork, Qt::QueuedConnection);
+}
+
+void FiguresPage::setStyle() {
+  const QString style = figuresStyleSheet(palette());
+  if (style != styleSheet()) setStyleSheet(style);
 }
 
 FiguresPage::~FiguresPage() = default;
@@ -238,12 +244,6 @@ QPushButton* FiguresPage::addButton(QLayout& row, const char* name, QString (*te
 void FiguresPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   list_->setFocus();
-}
-
-void FiguresPage::setTheme(const Theme& theme) {
-  setStyleSheet(figuresStyleSheet(themePalette(theme)));
-  picture_->setTheme(theme);
-  claims_->setDark(isDark(theme));
 }
 
 FigureName FiguresPage::chosen() const {

@@ -8,7 +8,6 @@
 #include <functional>
 #include <memory>
 
-#include "ui/draw/theme.h"
 #include "ui/window/figures/figure_queue.h"
 
 class QLabel;
@@ -40,7 +39,6 @@ class FiguresPage : public QWidget {
   /// Shows this figure; with `compute`, it is computed where it is missing.
   void choose(FigureName name, bool compute);
   FigureName chosen() const;
-  void setTheme(const Theme& theme);
 
   /// Saves the chosen figure, as a print or as its table or claims, by the extension. The file is
   /// written in the background; saved() or an error message follows.
@@ -72,6 +70,7 @@ class FiguresPage : public QWidget {
   QPushButton* addButton(QLayout& row, const char* name, QString (*text)(), QString (*tip)(),
                          std::function<void()> run);
 
+  void setStyle();
   void compute();
   void computeAll();
   void askData();

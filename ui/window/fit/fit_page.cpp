@@ -45,8 +45,7 @@ QString askFolder(QWidget* parent, const QString& proposed) {
 
 }  // namespace
 
-FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& theme,
-                 QWidget* parent)
+FitPage::FitPage(const Scene& scene, const FitSelection& before, QWidget* parent)
     : QDialog(parent),
       scene_(scene),
       chooser_(askFolder),
@@ -76,7 +75,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   auto* right = new QVBoxLayout;
   right->setSpacing(8);
   halves->addLayout(right, 1);
-  buildResult(theme);
+  buildResult();
   texts_ = new QWidget;
   auto* column = marginless<QVBoxLayout>(texts_);
   column->addWidget(table_);
@@ -107,7 +106,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   showSheet();
 }
 
-void FitPage::buildResult(const Theme& theme) {
+void FitPage::buildResult() {
   notes_->setTextFormat(Qt::RichText);
   notes_->setWordWrap(true);
   for (QLabel* label : {table_, notes_}) {
@@ -123,7 +122,6 @@ void FitPage::buildResult(const Theme& theme) {
   sheets_->addTab(tr("Progress"));
   connect(sheets_, &QTabBar::currentChanged, this, &FitPage::showSheet);
   sheet_->setAccessibleName(tr("the fit as a diagram"));
-  sheet_->setTheme(theme);
   connect(sheet_, &DiagramView::failed, this, [this](const QString& reason) { finish(reason); });
 }
 
@@ -250,20 +248,16 @@ void FitPage::showState() {
 }
 
 void FitPage::showSheet() {
-  const auto fitted = fitted_;
-  const auto origin = [fitted] { return pictureOrigin("fit", fitted->fit.scene); };
-  switch (sheets_->currentIndex()) {
-    case kProgress:
-      return sheet_->show([chiSquared = chiSquared_] { return progressSheet(chiSquared); });
-    case kProfiles:
-      if (!fitted) return sheet_->show([] { return DiagramSheet{}; });
-      return sheet_->show([fitted] { return profileSheet(fitted->fit); },
-                          {"fit_profiles", origin, {}});
-    default:
-      if (!fitted) return sheet_->show([] { return DiagramSheet{}; });
-      return sheet_->show([fitted] { return fitSheet(fitted->fit, fitted->set); },
-                          {"fit_curve", origin, {}});
-  }
+  if (sheets_->currentIndex() == kProgress)
+    return sheet_->show([chiSquared = chiSquared_] { return progressSheet(chiSquared); });
+  if (!fitted_) return sheet_->clear();
+  const auto origin = [fitted = fitted_] { return pictureOrigin("fit", fitted->fit.scene); };
+  if (sheets_->currentIndex() == kProfiles)
+    sheet_->show([fitted = fitted_] { return profileSheet(fitted->fit); },
+                 {"fit_profiles", origin, {}});
+  else
+    sheet_->show([fitted = fitted_] { return fitSheet(fitted->fit, fitted->set); },
+                 {"fit_curve", origin, {}});
 }
 
 void FitPage::useValues() {

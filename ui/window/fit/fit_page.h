@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/chart/fit_report.h"
-#include "ui/draw/theme.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/labels.h"
 #include "ui/window/fit/fit_choices.h"
@@ -31,8 +30,7 @@ class FitPage : public QDialog {
   Q_OBJECT
 
  public:
-  FitPage(const Scene& scene, const FitSelection& before, const Theme& theme,
-          QWidget* parent = nullptr);
+  FitPage(const Scene& scene, const FitSelection& before, QWidget* parent = nullptr);
 
   FitChoices& choices() { return *choices_; }
   /// Returns what is shown; null before the first fit has ended.
@@ -55,7 +53,7 @@ class FitPage : public QDialog {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void buildResult(const Theme& theme);
+  void buildResult();
   QLayout* foot();
   void pressRun();
   void begin();

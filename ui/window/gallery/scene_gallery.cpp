@@ -12,10 +12,10 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/panel_style.h"
 #include "ui/window/gallery/card_list.h"
 #include "ui/window/gallery/scene_cards.h"
 #include "ui/window/gallery/scene_thumbnails.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -46,6 +46,8 @@ SceneGallery::SceneGallery(QWidget* parent)
       thumbnails_(new SceneThumbnails(drawScenePicture, {}, this)),
       heading_(new TitleBar("closeScenes")) {
   setObjectName("sceneGallery");
+  setAutoFillBackground(true);
+  thumbnails_->setTheme(pictureTheme(palette()));
   cards_ = new CardList([this](const QString& name) { return thumbnails_->picture(name); });
   none_ = named<QLabel>("noScene");
   none_->setAlignment(Qt::AlignCenter);
@@ -124,11 +126,10 @@ void SceneGallery::focusFilter() {
   filter_->setFocus();
 }
 
-void SceneGallery::setTheme(const Theme& theme) {
-  setPalette(themePalette(theme));
-  setAutoFillBackground(true);
-  thumbnails_->setTheme(theme);
-  cards_->viewport()->update();
+void SceneGallery::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  thumbnails_->setTheme(pictureTheme(palette()));
   if (isVisible()) thumbnails_->requestAll();
 }
 

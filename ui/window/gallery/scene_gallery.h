@@ -5,8 +5,6 @@
 
 #include <QWidget>
 
-#include "ui/draw/theme.h"
-
 class QAction;
 class QLabel;
 class QLineEdit;
@@ -25,7 +23,6 @@ class SceneGallery : public QWidget {
 
   /// Makes the card of this scene the current one; an unknown name leaves it.
   void choose(const QString& scene);
-  void setTheme(const Theme& theme);
   void focusFilter();
   /// Adds a button for a command to the heading, for example for the lessons. Call it when the
   /// gallery has its window: before that, Qt does not change the order of the Tab key.
@@ -40,6 +37,7 @@ class SceneGallery : public QWidget {
   void closed();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -27,7 +27,6 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/import/material_import.h"
 #include "ui/window/import/surface_import.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/file_dialogs.h"
@@ -177,8 +176,7 @@ SurfaceImport& ImportCommands::openSurface(const QString& file) {
 
 SurfaceImport& ImportCommands::showSurface(const Scene& scene, const QString& file) {
   closePages();
-  auto* page = new SurfaceImport(scene, QFileInfo(file).absoluteFilePath(),
-                                 parts_.appearance.theme(), &parts_.window);
+  auto* page = new SurfaceImport(scene, QFileInfo(file).absoluteFilePath(), &parts_.window);
   connect(page, &SurfaceImport::sceneChosen, this,
           [this, file](const Scene& chosen) { takeSurface(chosen, file); });
   page->open();
@@ -221,8 +219,7 @@ void ImportCommands::openMaterial(const QString& file) {
 
 MaterialImport& ImportCommands::openModuli(const QString& file) {
   closePages();
-  auto* page = new MaterialImport(QFileInfo(file).absoluteFilePath(), parts_.appearance.theme(),
-                                  &parts_.window);
+  auto* page = new MaterialImport(QFileInfo(file).absoluteFilePath(), &parts_.window);
   connect(page, &MaterialImport::materialWritten, this, &ImportCommands::takeMaterial);
   page->open();
   return *page;

@@ -15,7 +15,6 @@ class QWidget;
 
 namespace asperity {
 
-class Appearance;
 class Commands;
 class DocumentCommands;
 class MaterialImport;
@@ -44,7 +43,6 @@ class ImportCommands : public QObject {
     SceneDocument& document;
     DocumentCommands& documents;
     ParameterPanel& panel;
-    Appearance& appearance;
     MessageBar& messages;
   };
   explicit ImportCommands(const Parts& parts);

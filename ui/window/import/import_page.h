@@ -8,7 +8,6 @@
 #include <QDialog>
 #include <QString>
 
-#include "ui/draw/theme.h"
 #include "ui/window/tasks/background_work.h"
 
 class QHBoxLayout;

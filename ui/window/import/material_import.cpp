@@ -76,7 +76,7 @@ QString askForMaterial(QWidget* parent, const QString& proposed) {
 
 }  // namespace
 
-MaterialImport::MaterialImport(const QString& file, const Theme& theme, QWidget* parent)
+MaterialImport::MaterialImport(const QString& file, QWidget* parent)
     : ImportPage(file, tr("&Save and use…"), parent),
       chooser_(askForMaterial),
       sheet_(named<DiagramView>("dmaSheet")),
@@ -85,17 +85,16 @@ MaterialImport::MaterialImport(const QString& file, const Theme& theme, QWidget*
       summary_(textLabel("dmaSummary")) {
   setObjectName("materialImport");
   setWindowTitle(tr("Open material"));
-  buildViews(theme);
+  buildViews();
   buildChoices();
   restart();
 }
 
-void MaterialImport::buildViews(const Theme& theme) {
+void MaterialImport::buildViews() {
   sheets_->setDrawBase(false);
   sheets_->setExpanding(false);
   sheets_->setUsesScrollButtons(true);
   connect(sheets_, &QTabBar::currentChanged, this, &MaterialImport::showSheet);
-  sheet_->setTheme(theme);
   sheet_->setAccessibleName(tr("the measured moduli and their fit"));
   auto* texts = new QWidget;
   auto* column = marginless<QVBoxLayout>(texts, 4);

@@ -30,7 +30,7 @@ class MaterialImport : public ImportPage {
   Q_OBJECT
 
  public:
-  MaterialImport(const QString& file, const Theme& theme, QWidget* parent = nullptr);
+  MaterialImport(const QString& file, QWidget* parent = nullptr);
 
   /// Returns what is shown; null before, or where the choices are wrong.
   const Material* material() const { return material_.get(); }
@@ -50,7 +50,7 @@ class MaterialImport : public ImportPage {
 
  private:
   struct Preview;
-  void buildViews(const Theme& theme);
+  void buildViews();
   void buildChoices();
   void addMeasurement(QFormLayout& form);
   void addColumns(QFormLayout& form);

@@ -196,8 +196,7 @@ QString valuesTable(const MeasuredSummary& summary) {
 
 }  // namespace
 
-SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, const Theme& theme,
-                             QWidget* parent)
+SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, QWidget* parent)
     : ImportPage(file, tr("&Use this surface"), parent), scene_(scene) {
   setObjectName("surfaceImport");
   setWindowTitle(tr("Open surface"));
@@ -208,12 +207,12 @@ SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, const Them
     restart();
   });
   connect(this, &QDialog::accepted, this, [this] { emit sceneChosen(scene_); });
-  buildViews(theme);
+  buildViews();
   halves().addWidget(panel_);
   restart();
 }
 
-void SurfaceImport::buildViews(const Theme& theme) {
+void SurfaceImport::buildViews() {
   topography_ = new TopographyPicture;
   topography_->hide();
   auto* texts = new QWidget;
@@ -237,7 +236,6 @@ void SurfaceImport::buildViews(const Theme& theme) {
   profile_->setAccessibleName(tr("the profile, raw and used"));
   spectrum_ = named<DiagramView>("surfaceSpectrum");
   spectrum_->setAccessibleName(tr("spectrum and distribution of the heights, raw and used"));
-  for (DiagramView* view : {profile_, spectrum_}) view->setTheme(theme);
   views().addLayout(head);
   views().addWidget(profile_, 4);
   views().addWidget(spectrum_, 5);

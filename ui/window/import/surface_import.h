@@ -60,8 +60,7 @@ class SurfaceImport : public ImportPage {
 
  public:
   /// `scene`: receives the file as its surface; its choices for the same file stay.
-  SurfaceImport(const Scene& scene, const QString& file, const Theme& theme,
-                QWidget* parent = nullptr);
+  SurfaceImport(const Scene& scene, const QString& file, QWidget* parent = nullptr);
 
   ParameterPanel& panel() { return *panel_; }
   /// Returns what is shown of the present choices; nothing before, or where they are wrong.
@@ -77,7 +76,7 @@ class SurfaceImport : public ImportPage {
 
  private:
   struct Preview;
-  void buildViews(const Theme& theme);
+  void buildViews();
   void take(const Preview& preview);
   void showSummary(const MeasuredSummary& summary);
 

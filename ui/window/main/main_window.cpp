@@ -226,12 +226,11 @@ void MainWindow::buildCommands() {
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
   pages_->addTo(*commands_);
-  imports_ =
-      new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
+  imports_ = new ImportCommands({*this, *document_, *documents_, *panel_, *messages_});
   imports_->addTo(*commands_);
   connect(imports_, &ImportCommands::imported, pages_, &WindowPages::showViews);
   comparisons_ = new ComparisonCommands(
-      {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
+      {*this, *document_, *tabs_, [this] { return imports_->askFriction(); }});
   comparisons_->addTo(*commands_);
   exports_ = new Exports({*this, *document_, *session_, *canvas_, *tabs_, *pages_, *appearance_,
                           *messages_, *status_});
@@ -375,7 +374,6 @@ void MainWindow::connectFrames() {
   connect(appearance_, &Appearance::themeChanged, this, [this](const Theme& theme) {
     canvas_->setTheme(theme);
     tabs_->setTheme(theme);
-    pages_->setTheme(theme);
   });
   connect(pages_, &WindowPages::pageChanged, this, [this](bool areViewsCovered) {
     // The space bar presses the buttons of the other page; it does not pause the run behind it.

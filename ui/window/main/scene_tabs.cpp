@@ -348,16 +348,11 @@ void SceneTabs::showFrame(const Frame& frame) {
 
 /// A diagram of the previous scene would be taken for that of the present one.
 void SceneTabs::clearFrame() {
-  statistics_->show([] { return DiagramSheet{}; });
+  statistics_->clear();
 }
 
 void SceneTabs::setTheme(const Theme& theme) {
-  plot_->setTheme(theme);
-  motion_->setTheme(theme);
-  for (DiagramView* view : {spectrum_, statistics_, material_}) view->setTheme(theme);
-  accuracy_->setTheme(theme);
-  map_->setTheme(theme);
-  influences_->setTheme(theme);
+  for (ChartView* chart : findChildren<ChartView*>()) chart->setTheme(theme);
 }
 
 void SceneTabs::beginCurve() {

@@ -71,7 +71,6 @@ void WindowPages::fillMenu(QMenu& menu) {
 template <class Page>
 Page* WindowPages::addPage() {
   auto* page = new Page;
-  page->setTheme(theme_);
   page->setSizePolicy(kNoSize, kNoSize);
   addWidget(page);
   connect(page, &Page::closed, this, &WindowPages::showViews);
@@ -139,12 +138,6 @@ void WindowPages::showViews() {
   currentWidget()->setSizePolicy(kNoSize, kNoSize);
   setCurrentIndex(0);
   emit pageChanged(false);
-}
-
-void WindowPages::setTheme(const Theme& theme) {
-  theme_ = theme;
-  if (figuresPage_) figuresPage_->setTheme(theme);
-  if (gallery_) gallery_->setTheme(theme);
 }
 
 }  // namespace asperity

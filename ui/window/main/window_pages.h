@@ -6,7 +6,6 @@
 #include <QStackedWidget>
 
 #include "core/scene/scene.h"
-#include "ui/draw/theme.h"
 
 class QMenu;
 
@@ -36,7 +35,6 @@ class WindowPages : public QStackedWidget {
   bool isShowingViews() const { return currentIndex() == 0; }
   FiguresPage& figuresPage();
   SceneGallery& gallery();
-  void setTheme(const Theme& theme);
 
  signals:
   /// Emitted when the views were covered by another page, or came to the front again.
@@ -58,7 +56,6 @@ class WindowPages : public QStackedWidget {
   Commands* commands_ = nullptr;
   FiguresPage* figuresPage_ = nullptr;
   SceneGallery* gallery_ = nullptr;
-  Theme theme_ = lightTheme();
 };
 
 }  // namespace asperity

@@ -204,10 +204,6 @@ void MapPanel::showScene(const Scene& scene) {
   if (isVisible()) compute();
 }
 
-void MapPanel::setTheme(const Theme& theme) {
-  view_->setTheme(theme);
-}
-
 void MapPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (hasScene_) compute();

@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "core/friction/parameter_map.h"
-#include "ui/draw/theme.h"
 #include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -32,7 +31,6 @@ class MapPanel : public QWidget {
   explicit MapPanel(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
-  void setTheme(const Theme& theme);
 
   MapView& view() { return *view_; }
   /// Returns the map that is shown; null before the first one.

@@ -74,6 +74,10 @@ class PageTest : public testing::Test {
     return *page_;
   }
 
+  /// Does what the window does when it has set palette or font of the application, which Qt gives
+  /// to styled widgets only with a style sheet.
+  void restyle() { page_->setStyleSheet(page_->styleSheet()); }
+
   template <class Control>
   Control& control(const char* name) {
     return *page_->findChild<Control*>(name);

@@ -16,6 +16,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_list.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/message_bar.h"
 
 namespace asperity {
@@ -68,10 +69,13 @@ TEST_F(PageTest, ThePictureFollowsSizeAndTheme) {
   ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
   const auto corner = [&] { return page.picture().grab().toImage().pixelColor(1, 1).lightness(); };
   EXPECT_GT(corner(), 200);
-  page.setTheme(darkTheme());
+  const QPalette light = QApplication::palette();
+  QApplication::setPalette(themePalette(darkTheme()));
+  restyle();
   EXPECT_FALSE(page.picture().isPainted());
   ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
   EXPECT_LT(corner(), 80);
+  QApplication::setPalette(light);
   page.resize(1300, 800);
   ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
 }
@@ -96,6 +100,7 @@ TEST_F(PageTest, PictureAndClaimsFollowTheLetters) {
   large.setPointSizeF(1.5 * font.pointSizeF());
   for (const QFont& letters : {large, font}) {
     QApplication::setFont(letters);
+    restyle();
     QCoreApplication::processEvents();
     ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
     // Rows follow their column by an event of its own, thus not at once.

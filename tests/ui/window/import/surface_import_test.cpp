@@ -296,7 +296,7 @@ std::string squareFile(int points) {
 
 /// Opens a page of its own and returns the longest work of the window's thread for it.
 double longestWorkFor(const QString& file) {
-  SurfaceImport page(Scene{}, file, lightTheme());
+  SurfaceImport page(Scene{}, file);
   page.show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(&page));
   const LongestWork work;
