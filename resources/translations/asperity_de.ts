@@ -1025,6 +1025,10 @@
         <source>No curve is pinned</source>
         <translation>Keine Kurve ist angeheftet</translation>
     </message>
+    <message>
+        <source>The curve&apos;s picture is on the clipboard</source>
+        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CurveReadingText</name>
@@ -3269,10 +3273,6 @@
     <message>
         <source>%1[*] – Asperity</source>
         <translation>%1[*] – Asperity</translation>
-    </message>
-    <message>
-        <source>The curve&apos;s picture is on the clipboard</source>
-        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
     </message>
     <message>
         <source>Saved %1</source>

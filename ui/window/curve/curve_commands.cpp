@@ -1,11 +1,8 @@
 #include "ui/window/curve/curve_commands.h"
 
 #include <QAction>
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QMenu>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "core/accuracy/compute_curve.h"
@@ -26,6 +23,7 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/panel_style.h"
 #include "ui/window/main/commands.h"
+#include "ui/window/main/exports.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/session.h"
 
@@ -49,8 +47,8 @@ std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
   return update;
 }
 
-CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
-    : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
+CurveCommands::CurveCommands(Session& session, ChartView& view, Exports& exports, QObject* parent)
+    : QObject(parent), session_(session), view_(view), exports_(exports) {
   pin_ = add(
       "pinCurve", [] { return tr("Pin curve"); },
       [this] { session_.editCurve([](FrictionChartModel& plot) { plot.pin(); }); },
@@ -366,23 +364,18 @@ void CurveCommands::askSave() {
 void CurveCommands::save(const QString& file) {
   const std::optional<CurveSet> set = shown();
   if (!set) return;
-  run_([set = *set, file] { writeCurves(file.toStdString(), set); },
-       [this, file] { emit exported(file); });
+  exports_.save(file, [set = *set, file] { writeCurves(file.toStdString(), set); });
 }
 
 /// Copies the diagram in the size and colours of the screen.
 void CurveCommands::copyPicture() {
   const std::optional<CurveSet> set = shown();
   if (!set) return;
-  const auto image = std::make_shared<QImage>();
   const double scale = view_.devicePixelRatioF();
   const QSize size = view_.size().expandedTo({900, 600}) * scale;
   const Theme& theme = pictureTheme(view_.palette());
-  run_([set = *set, image, size, scale, &theme] { *image = renderCurves(set, size, scale, theme); },
-       [this, image] {
-         QGuiApplication::clipboard()->setImage(*image);
-         emit exported({});
-       });
+  exports_.copy([set = *set, size, scale, &theme] { return renderCurves(set, size, scale, theme); },
+                [] { return tr("The curve's picture is on the clipboard"); });
 }
 
 }  // namespace asperity

@@ -20,6 +20,7 @@ class QMenu;
 namespace asperity {
 
 class ChartView;
+class Exports;
 class Session;
 
 /// Computes the whole curve of a scene, as the chart pins it. Throws as computeCurve() does, and
@@ -31,10 +32,7 @@ class CurveCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// Runs `work` in the background, then `done` on the GUI thread, or shows the error.
-  using Export = std::function<void(std::function<void()> work, std::function<void()> done)>;
-
-  CurveCommands(Session& session, ChartView& view, Export run, QObject* parent);
+  CurveCommands(Session& session, ChartView& view, Exports& exports, QObject* parent);
 
   /// Adds all commands to the menu, and most of them to the view's context menu; call it once.
   void fill(QMenu& menu);
@@ -54,8 +52,6 @@ class CurveCommands : public QObject {
   void save(const QString& file);
 
  signals:
-  /// Emitted with the file, or an empty text for the clipboard.
-  void exported(const QString& file);
   /// Emitted when another axis was chosen.
   void axisChosen(const asperity::Scene& scene);
   /// Emitted when the user requests the guide about the object under the pointer.
@@ -80,7 +76,7 @@ class CurveCommands : public QObject {
 
   Session& session_;
   ChartView& view_;
-  Export run_;
+  Exports& exports_;
   QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_, *guide_;
   QAction *linearX_, *linearY_;
   QMenu* unpin_ = nullptr;

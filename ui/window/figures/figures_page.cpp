@@ -19,6 +19,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/labels.h"
 #include "ui/panels/panel_style.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/diagram_view.h"
@@ -102,7 +103,7 @@ void FiguresPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) setStyle();
   if (event->type() != QEvent::LanguageChange) return;
-  showNote({});
+  note_->clear();
   describePicture();
   // This runs later, because the buttons get the event after this page and first set their usual
   // texts.
@@ -211,8 +212,7 @@ QWidget* FiguresPage::makeCommands() {
   progress_->setFormat(QStringLiteral("%p %"));
   progress_->setMinimumWidth(60);
   row->addWidget(progress_, 1);
-  note_ = named<QLabel>("figuresNote");
-  note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  note_ = named<ElidedLabel>("figuresNote");
   row->addWidget(note_, 1);
   openScene_ = addButton(
       *row, "openAsScene", [] { return tr("&Open as scene"); },
@@ -316,24 +316,18 @@ void FiguresPage::choose(FigureName name, bool compute) {
 }
 
 void FiguresPage::compute() {
-  showNote({});
+  note_->clear();
   queue_->compute(chosen(), realizations_->value());
 }
 
 /// Computes the figures that are missing for this number of lines.
 void FiguresPage::computeAll() {
-  showNote({});
+  note_->clear();
   for (const FigureEntry& entry : figureEntries()) {
     const std::shared_ptr<const ComputedFigure> made = queue_->status(entry.name).made;
     if (!made || made->realizations != realizations_->value())
       queue_->compute(entry.name, realizations_->value());
   }
-}
-
-/// The tooltip has the complete text where the label is elided.
-void FiguresPage::showNote(const QString& text) {
-  note_->setText(text);
-  note_->setToolTip(text);
 }
 
 void FiguresPage::askPicture() {
@@ -351,7 +345,7 @@ void FiguresPage::askData() {
 void FiguresPage::copyPicture() {
   if (!picture_->isPainted()) return;
   QGuiApplication::clipboard()->setImage(picture_->image());
-  showNote(tr("The picture is on the clipboard"));
+  note_->setText(tr("The picture is on the clipboard"));
 }
 
 void FiguresPage::savePicture(const QString& file) {
@@ -366,16 +360,15 @@ void FiguresPage::save(const QString& file,
                        void (*write)(const std::filesystem::path&, const ComputedFigure&)) {
   const std::shared_ptr<const ComputedFigure> made = queue_->status(chosen()).made;
   if (!made) return;
-  showNote(tr("Saving %1…").arg(QFileInfo(file).fileName()));
+  note_->setText(tr("Saving %1…").arg(QFileInfo(file).fileName()));
   saving_.request(
       [file, made, write](const BackgroundWork::Run&) { write(file.toStdString(), *made); },
       [this, file] {
-        showNote(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+        note_->setText(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
         if (messages_->end(MessageBar::Failure::Export)) showChosen();
-        emit saved(file);
       },
       [this](const LiveText& reason) {
-        showNote({});
+        note_->clear();
         messages_->showFailure(MessageBar::Failure::Export, reason);
       });
 }

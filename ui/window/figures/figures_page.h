@@ -10,7 +10,6 @@
 
 #include "ui/window/figures/figure_queue.h"
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
@@ -19,6 +18,7 @@ namespace asperity {
 
 class ClaimsTable;
 class DiagramView;
+class ElidedLabel;
 class FigureList;
 class MessageBar;
 
@@ -41,7 +41,7 @@ class FiguresPage : public QWidget {
   FigureName chosen() const;
 
   /// Saves the chosen figure, as a print or as its table or claims, by the extension. The file is
-  /// written in the background; saved() or an error message follows.
+  /// written in the background; a note or an error message follows.
   void savePicture(const QString& file);
   void saveData(const QString& file);
   void askPicture();
@@ -55,7 +55,6 @@ class FiguresPage : public QWidget {
   void figureShown();
   void closed();
   void sceneRequested(const asperity::Scene& scene);
-  void saved(const QString& file);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -81,7 +80,6 @@ class FiguresPage : public QWidget {
   void showChosen();
   void showComputed(std::shared_ptr<const ComputedFigure> made);
   void showWork();
-  void showNote(const QString& text);
 
   FigureQueue* queue_;
   std::shared_ptr<const ComputedFigure> shown_;  // null: a text is shown
@@ -91,7 +89,7 @@ class FiguresPage : public QWidget {
   ClaimsTable* claims_ = nullptr;
   QSpinBox* realizations_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QLabel* note_ = nullptr;  // shown instead of the progress while nothing is computed
+  ElidedLabel* note_ = nullptr;  // shown instead of the progress while nothing is computed
   QPushButton *compute_ = nullptr, *cancel_ = nullptr, *openScene_ = nullptr;
   QPushButton *savePicture_ = nullptr, *saveData_ = nullptr;
   BackgroundWork saving_{RequestPolicy::RunInOrder};  // last: its thread ends first

@@ -277,7 +277,6 @@ void FitPage::saveReport() {
       [this, folder](const QStringList& files) {
         finish(tr("Saved %1 files in %2").arg(files.size()).arg(QDir::toNativeSeparators(folder)),
                MessageKind::Note);
-        emit reportSaved(folder);
       },
       [this](const QString& reason) { finish(reason); });
   showState();

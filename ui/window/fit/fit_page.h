@@ -45,7 +45,6 @@ class FitPage : public QDialog {
  signals:
   /// Emitted where the user takes the fitted values; the page closes then.
   void valuesChosen(const asperity::Fit& fit);
-  void reportSaved(const QString& folder);
 
  protected:
   void reject() override;

@@ -227,12 +227,10 @@ MaterialImport& ImportCommands::openModuli(const QString& file) {
 
 void ImportCommands::takeMaterial(const QString& file) {
   Scene scene = parts_.document.scene();
-  try {
+  const bool isRead = parts_.messages.succeeds(MessageBar::Failure::Files, [&] {
     useMaterial(scene, nameInScene(scene, QFileInfo(file).absoluteFilePath().toStdString()));
-  } catch (const std::exception& error) {
-    return parts_.messages.showFailure(MessageBar::Failure::Files, liveError(error));
-  }
-  parts_.messages.end(MessageBar::Failure::Files);
+  });
+  if (!isRead) return;
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
   emit imported();
 }
@@ -251,20 +249,17 @@ bool ImportCommands::takeFriction(const QString& file) {
   Scene scene = parts_.document.scene();
   const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
   std::vector<Message> remarks;  // on what is not used
-  try {
+  const bool isRead = parts_.messages.succeeds(MessageBar::Failure::Files, [&] {
     const FrictionData data = readFrictionData(path);
     // The first note states how the columns were understood.
     for (std::size_t i = 1; i < data.notes.size(); ++i)
       remarks.push_back(message("{}: {}", data.name, data.notes[i]));
-  } catch (const std::exception& error) {
-    parts_.messages.showFailure(MessageBar::Failure::Files, liveError(error));
-    return false;
-  }
+  });
+  if (!isRead) return false;
   const std::string name = nameInScene(scene, path);
   if (std::ranges::find(scene.comparison.data, name, &DataFile::file) ==
       scene.comparison.data.end())
     scene.comparison.data.push_back({name, {}});
-  parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene,
                        QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
   if (!remarks.empty())

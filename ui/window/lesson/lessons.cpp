@@ -89,28 +89,23 @@ bool belongTo(const LessonResults& results, const Lesson& lesson) {
          });
 }
 
-}  // namespace
-
-std::optional<LessonResults> keptAnswers(const Lesson& lesson) {
-  const QString kept = QSettings().value(answersKey(lesson.digest)).toString();
-  if (lesson.digest.empty() || kept.isEmpty()) return std::nullopt;
+/// Returns the answers that `read` finds, unless it fails or they are those of another lesson.
+std::optional<LessonResults> answersTo(const Lesson& lesson,
+                                       const std::function<LessonResults()>& read) {
+  if (lesson.digest.empty()) return std::nullopt;
   try {
-    const LessonResults results = parseResults(kept.toStdString(), {});
+    const LessonResults results = read();
     return belongTo(results, lesson) ? std::optional(results) : std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-std::optional<LessonResults> savedAnswers(const Lesson& lesson) {
-  const QString file = QSettings().value(resultsFileKey(lesson.digest)).toString();
-  if (lesson.digest.empty() || !QFileInfo(file).isFile()) return std::nullopt;
-  try {
-    const LessonResults results = readResultsFile(file.toStdString());
-    return belongTo(results, lesson) ? std::optional(results) : std::nullopt;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+}  // namespace
+
+std::optional<LessonResults> keptAnswers(const Lesson& lesson) {
+  const QString kept = QSettings().value(answersKey(lesson.digest)).toString();
+  return answersTo(lesson, [&] { return parseResults(kept.toStdString(), {}); });
 }
 
 Lessons::Lessons(const Parts& parts, MessageBar& messages)
@@ -159,12 +154,10 @@ LessonList& Lessons::showList() {
   connect(list, &LessonList::lessonRequested, this, [this](const QString& name) { open(name); });
   connect(list, &LessonList::resultsRequested, this, &Lessons::openResults);
   connect(list, &LessonList::editorRequested, this, [this](const QString& name) {
-    try {
+    messages_.succeeds(MessageBar::Failure::Files, [&] {
       openEditor(readNamedLesson(name.toStdString(), readNamedScene),
                  QFileInfo::exists(name) ? name : QString());
-    } catch (const std::exception& error) {
-      messages_.showFailure(MessageBar::Failure::Files, liveError(error));
-    }
+    });
   });
   list->open();
   return *list;
@@ -313,14 +306,8 @@ bool Lessons::open(const QString& nameOrFile) {
 }
 
 bool Lessons::openResults(const QStringList& files) {
-  try {
-    showClassResults(parts_.window, files);
-    messages_.end(MessageBar::Failure::Files);
-    return true;
-  } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Files, liveError(error));
-    return false;
-  }
+  return messages_.succeeds(MessageBar::Failure::Files,
+                            [&] { showClassResults(parts_.window, files); });
 }
 
 /// Begins a lesson with these answers, at the step where it was left. `file`: they are in it, and
@@ -358,9 +345,9 @@ QString Lessons::offerAnswers(const Lesson& lesson) {
 
 /// Offers the answers in the file of the last time. Who begins anew is not asked again.
 QString Lessons::offerSavedAnswers(const Lesson& lesson) {
-  const std::optional<LessonResults> saved = savedAnswers(lesson);
-  if (!saved) return {};
   const QString file = QSettings().value(resultsFileKey(lesson.digest)).toString();
+  const auto saved = answersTo(lesson, [&] { return readResultsFile(file.toStdString()); });
+  if (!saved) return {};
   if (wantsToGoOn("savedAnswersQuestion",
                   tr("Your answers to this lesson are in %1. Go on with these answers?")
                       .arg(QFileInfo(file).fileName()),
@@ -461,7 +448,7 @@ bool Lessons::keepResults(const QString& file) {
 /// Writes the answers into a file, together with those that it has already: the lesson may also run
 /// elsewhere. Returns whether it could be written; the message bar shows the reason.
 bool Lessons::saveAnswers(const QString& file) {
-  try {
+  const bool isWritten = messages_.succeeds(MessageBar::Failure::Export, [&] {
     LessonResults all = readResults(file.toStdString(), *lesson());
     for (const LessonResult& one : results().results) all.set(one);
     all.date = std::max(all.date, results().date);  // the later one
@@ -469,13 +456,9 @@ bool Lessons::saveAnswers(const QString& file) {
                   [&](const LessonResult& one) { return !askingStep(*lesson(), one.step); });
     writeResults(file.toStdString(), all, *lesson());
     player_->setResults(std::move(all));
-  } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Export, liveError(error));
-    return false;
-  }
-  messages_.end(MessageBar::Failure::Export);
-  setResultsFile(file);
-  return true;
+  });
+  if (isWritten) setResultsFile(file);
+  return isWritten;
 }
 
 void Lessons::end() {

@@ -120,8 +120,4 @@ class Lessons : public QObject {
 /// Returns the answers to this lesson that an earlier session kept; nothing where there are none.
 std::optional<LessonResults> keptAnswers(const Lesson& lesson);
 
-/// Returns the answers to this lesson in the file in which they were saved last; nothing where the
-/// file has none any more.
-std::optional<LessonResults> savedAnswers(const Lesson& lesson);
-
 }  // namespace asperity

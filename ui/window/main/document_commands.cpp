@@ -5,7 +5,6 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSettings>
-#include <exception>
 #include <filesystem>
 
 #include "core/base/atomic_file.h"
@@ -175,16 +174,10 @@ bool DocumentCommands::saveTo(const QString& file) {
 }
 
 bool DocumentCommands::write(const QString& file, const Scene& scene) {
-  try {
+  return messages_.succeeds(MessageBar::Failure::Files, [&] {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
-    checkWritable(path);
     writeFileAtomically(path, writeScene(withFilesRelativeTo(path.parent_path(), scene)));
-  } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Files, liveError(error));
-    return false;
-  }
-  messages_.end(MessageBar::Failure::Files);
-  return true;
+  });
 }
 
 bool DocumentCommands::save() {

@@ -38,10 +38,6 @@ QSize devicePixels(const QWidget& widget) {
   return widget.size() * widget.devicePixelRatioF();
 }
 
-QImage renderContact(const ContactShot& shot) {
-  return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
-}
-
 void writeContact(const QString& file, const ContactShot& shot) {
   const Scene& scene = *shot.frame->scene;
   writePicture(
@@ -153,16 +149,28 @@ void Exports::run(std::function<void()> work, std::function<void()> done) {
                 });
 }
 
+void Exports::save(const QString& file, std::function<void()> write) {
+  run(std::move(write), [this, file] { showSaved(file); });
+}
+
+void Exports::copy(std::function<QImage()> draw, const LiveText& copied) {
+  const auto image = std::make_shared<QImage>();
+  run([draw = std::move(draw), image] { *image = draw(); },
+      [this, image, copied] {
+        QGuiApplication::clipboard()->setImage(*image);
+        parts_.status.showMessage(copied);
+        emit exported({});
+      });
+}
+
 void Exports::copyPicture() {
   if (parts_.pages.isShowingFigures()) return parts_.pages.figuresPage().copyPicture();
   if (!hasPicture()) return;
-  const auto image = std::make_shared<QImage>();
-  run([shot = *shot(), image] { *image = renderContact(shot); },
-      [this, image] {
-        QGuiApplication::clipboard()->setImage(*image);
-        parts_.status.showMessage(tr("The picture is on the clipboard"));
-        emit exported({});
-      });
+  copy(
+      [shot = *shot()] {
+        return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
+      },
+      [] { return tr("The picture is on the clipboard"); });
 }
 
 void Exports::askPicture() {
@@ -175,7 +183,7 @@ void Exports::askPicture() {
 
 void Exports::savePicture(const QString& file) {
   if (!hasPicture()) return;
-  run([shot = *shot(), file] { writeContact(file, shot); }, [this, file] { showSaved(file); });
+  save(file, [shot = *shot(), file] { writeContact(file, shot); });
 }
 
 void Exports::showSaved(const QString& file) {

@@ -1,15 +1,17 @@
-// Exports of the window: the contact as it is shown, as a picture in a file or on the clipboard;
-// the export dialog; and the shell commands of `asperity` that make picture and curve without the
-// window. Files are written in the background, one after the other. Owned by the main window; GUI
-// thread. Failure: the reason appears in the message bar.
+// Exports of the window: the contact and the curve as they are shown, in a file or on the
+// clipboard; the export dialog; and the shell commands of `asperity` that make picture and curve
+// without the window. Files are written in the background, one after the other. Owned by the main
+// window; GUI thread. Failure: the reason appears in the message bar.
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "ui/language/language.h"
 #include "ui/window/export/asperity_command.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/tasks/background_work.h"
@@ -71,11 +73,13 @@ class Exports : public QObject {
   /// Sets the program that the dialog runs, instead of this one.
   void setProgram(const QString& program) { program_ = program; }
 
-  /// Runs `work` in the background, then `done`; or shows the error.
-  void run(std::function<void()> work, std::function<void()> done);
+  /// These functions work in the background and then say so in the status line, or show the error:
+  /// `write` makes the file, `draw` the picture for the clipboard.
+  void save(const QString& file, std::function<void()> write);
+  void copy(std::function<QImage()> draw, const LiveText& copied);
 
  signals:
-  /// Emitted when a picture is on the clipboard (empty) or in this file.
+  /// Emitted when a picture is on the clipboard (empty), or a picture or a table in this file.
   void exported(const QString& file);
 
  private:
@@ -83,6 +87,7 @@ class Exports : public QObject {
   bool hasPicture() const;
   void copyPicture();
   void askPicture();
+  void run(std::function<void()> work, std::function<void()> done);
   void showSaved(const QString& file);
   void enableCommands(Commands& commands) const;
   CurveCommandOptions shownCurves() const;

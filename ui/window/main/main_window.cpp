@@ -258,10 +258,7 @@ void MainWindow::buildCommands() {
   help_ = new HelpCommands(*this, *messages_);
   help_->addTo(*commands_);
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {Qt::CTRL | Qt::Key_Q}});
-  const auto run = [this](std::function<void()> work, std::function<void()> done) {
-    exports_->run(std::move(work), std::move(done));
-  };
-  curveCommands_ = new CurveCommands(*session_, tabs_->plot(), run, this);
+  curveCommands_ = new CurveCommands(*session_, tabs_->plot(), *exports_, this);
   exports_->setCurves(*curveCommands_);
   new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
 }
@@ -450,10 +447,6 @@ void MainWindow::connectCurve() {
   };
   connect(documents_, &DocumentCommands::saved, this,
           [showSaved](const QString& file) { showSaved(file, {}); });
-  connect(curveCommands_, &CurveCommands::exported, this, [showSaved](const QString& file) {
-    showSaved(file, tr("The curve's picture is on the clipboard"));
-  });
-  connect(curveCommands_, &CurveCommands::exported, exports_, &Exports::exported);
   connect(tabs_, &SceneTabs::saved, this, [this, showSaved](const QString& file) {
     messages_->end(MessageBar::Failure::Export);
     showSaved(file, tr("The picture is on the clipboard"));

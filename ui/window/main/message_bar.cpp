@@ -7,6 +7,7 @@
 #include <QStyle>
 #include <QTextLayout>
 #include <QToolButton>
+#include <exception>
 #include <utility>
 
 #include "ui/language/language.h"
@@ -162,6 +163,17 @@ bool MessageBar::end(Failure source) {
   if (isHidden() || failure_ != source) return false;
   hide();
   if (sceneError_) updateSceneError();
+  return true;
+}
+
+bool MessageBar::succeeds(Failure source, const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    showFailure(source, liveError(error));
+    return false;
+  }
+  end(source);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -36,6 +37,9 @@ class MessageBar : public QFrame {
   enum class Failure { None, Scene, Files, Export, Comparison };
   void showFailure(Failure source, const LiveText& text);
   bool end(Failure source);
+  /// Runs what may throw: shows why it fails, or removes the message of its source. Returns whether
+  /// it succeeded.
+  bool succeeds(Failure source, const std::function<void()>& action);
 
   /// Shows an error of the scene until sceneRuns(): a key, which may be empty, and core's English
   /// message.

@@ -19,6 +19,7 @@
 #include "ui/panels/value_slider.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/diagram_view.h"
+#include "ui/window/main/exports.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/session.h"
 
@@ -163,7 +164,7 @@ TEST_F(CurveCommandsTest, WhatIsShownIsSavedInEveryFormatAndOpensAgain) {
   ASSERT_TRUE(waitForCurve());
   const QTemporaryDir folder;
   for (const char* name : {"curve.png", "curve.svg", "curve.pdf", "curve.csv"}) {
-    QSignalSpy exported(&window_.curveCommands(), &CurveCommands::exported);
+    QSignalSpy exported(&window_.exports(), &Exports::exported);
     const QString file = folder.filePath(name);
     window_.curveCommands().save(file);
     ASSERT_TRUE(waitFor([&] { return exported.count() == 1; })) << name;
@@ -198,7 +199,7 @@ TEST_F(CurveCommandsTest, AFolderThatDoesNotExistIsNamedInTheBar) {
 TEST_F(CurveCommandsTest, ThePictureGoesToTheClipboard) {
   ASSERT_TRUE(waitForCurve());
   QGuiApplication::clipboard()->clear();
-  QSignalSpy exported(&window_.curveCommands(), &CurveCommands::exported);
+  QSignalSpy exported(&window_.exports(), &Exports::exported);
   action("copyCurvePicture").trigger();
   ASSERT_TRUE(waitFor([&] { return exported.count() == 1; }));
   EXPECT_GE(QGuiApplication::clipboard()->image().width(), 900);

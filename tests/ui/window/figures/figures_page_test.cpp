@@ -6,7 +6,6 @@
 
 #include <QFile>
 #include <QProgressBar>
-#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <stdexcept>
@@ -205,11 +204,10 @@ TEST_F(PageTest, FiguresAreSaved) {
   page.choose(FigureName::Plateau, true);
   ASSERT_TRUE(waitUntilMade(FigureName::Plateau));
   const QTemporaryDir folder;
-  QSignalSpy saved(&page, &FiguresPage::saved);
+  const auto& note = *page.findChild<QLabel*>("figuresNote");
   const auto bytesOf = [&](const char* name, void (FiguresPage::*save)(const QString&)) {
-    const qsizetype before = saved.count();
     (page.*save)(folder.filePath(name));
-    EXPECT_TRUE(waitFor([&] { return saved.count() > before; })) << name;
+    EXPECT_TRUE(waitFor([&] { return note.text() == "Saved " + folder.filePath(name); })) << name;
     QFile file(folder.filePath(name));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
     return file.readAll();
