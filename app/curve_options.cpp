@@ -291,9 +291,8 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
   if (!arguments.compare.empty()) {
     settingFrom(arguments.compare, scene);
     requireVelocityAxis(scene, kCompare);
-  }
-  if (!arguments.compare.empty())
     requireNoTarget(scene, "--compare needs the same resolution at every velocity");
+  }
   familyMembers(arguments, scene);
   for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
 }

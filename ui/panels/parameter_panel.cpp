@@ -82,10 +82,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   rows_ = new RowList(groups, scroll_->viewport());
   scroll_->setWidget(rows_);
   connect(rows_, &RowList::rowMade, this, &ParameterPanel::takeRow);
-  connect(rows_, &RowList::foldChanged, this, [this] {
-    arrange();
-    emit viewChanged();
-  });
+  connect(rows_, &RowList::foldChanged, this, &ParameterPanel::arrange);
   rows_->prepareFor(scene_);
 
   setMinimumWidth(kMinWidth);
@@ -185,7 +182,6 @@ void ParameterPanel::showOtherRows() {
   scroll_->verticalScrollBar()->setValue(0);
   revealed_.clear();
   arrange();
-  emit viewChanged();
 }
 
 bool ParameterPanel::showsAll() const {

@@ -108,8 +108,6 @@ class ParameterPanel : public QWidget {
   void frictionRequested();
   /// Emitted when the user requests the guide about a parameter, at this anchor.
   void guideRequested(const QString& anchor);
-  /// Emitted where the user chose other rows, or folded a section.
-  void viewChanged();
   /// Emitted when Escape leaves the filter.
   void filterLeft();
   /// Emitted when the scene no longer has the rows that forced the panel to be wider than the user

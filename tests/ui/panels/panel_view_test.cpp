@@ -65,10 +65,8 @@ TEST_F(PanelViewTest, EssentialsAreAFewRowsWithoutHeadings) {
 }
 
 TEST_F(PanelViewTest, TheButtonAllShowsTheRestInSections) {
-  QSignalSpy changes(&panel_, &ParameterPanel::viewChanged);
   QTest::mouseClick(control<QToolButton>("showAllParameters"), Qt::LeftButton);
   EXPECT_TRUE(panel_.view().showsAll);
-  EXPECT_EQ(changes.count(), 1);
   EXPECT_TRUE(hasRow("surface.seed"));
   EXPECT_TRUE(hasRow("elastomer.shift.c1"));
   EXPECT_TRUE(isShown("section:surface"));

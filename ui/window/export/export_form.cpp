@@ -8,7 +8,6 @@
 #include <QProcess>
 #include <QSignalBlocker>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -28,20 +27,28 @@ namespace {
 constexpr double kScreen = 96, kPaper = 300;  // usual pixels per inch
 constexpr double kInch = 25.4;                // mm
 
-/// A named size in pixels or millimetres.
-struct SizePreset {
-  const char* word;
+/// A size in pixels or millimetres.
+struct ExportSize {
   double width, height;
   bool isOnPaper;
   double density;  // pixels per inch
 };
 
 constexpr const char *kUsual = "usual", *kOfStyle = "style", *kOwn = "own";
-constexpr std::array<SizePreset, 5> kSizes{{{"slide", 1280, 720, false, 96},
-                                            {"hd", 1920, 1080, false, 144},
-                                            {"4k", 3840, 2160, false, 288},
-                                            {"column", 86, 62, true, 600},
-                                            {"page", 178, 130, true, 600}}};
+
+struct NamedSize {
+  const char* word;
+  QString text;
+  ExportSize size;
+};
+
+QList<NamedSize> namedSizes() {
+  return {{"slide", ExportForm::tr("Slide, 1280 × 720"), {1280, 720, false, 96}},
+          {"hd", ExportForm::tr("Full HD, 1920 × 1080"), {1920, 1080, false, 144}},
+          {"4k", ExportForm::tr("4K, 3840 × 2160"), {3840, 2160, false, 288}},
+          {"column", ExportForm::tr("Column of a journal, 86 × 62 mm"), {86, 62, true, 600}},
+          {"page", ExportForm::tr("Page of a journal, 178 × 130 mm"), {178, 130, true, 600}}};
+}
 
 /// Returns what a command reads where people may type a decimal comma.
 QString machineNumber(const QLineEdit& entry) {
@@ -53,14 +60,14 @@ void choose(QComboBox& box, const QString& word) {
 }
 
 /// Returns the size of a style.
-std::optional<SizePreset> sizeOfStyle(const QString& name) {
+std::optional<ExportSize> sizeOfStyle(const QString& name) {
   const FigureStyle style = readStyle(name.toStdString());
   const auto size = parsePictureSize(style.size);
   if (!size) return {};
   const bool isOnPaper = size->isOnPaper();
   const double inUnit = isOnPaper ? kInch / size->perInch : 1;
   const double usual = isOnPaper ? kPaper : kScreen;
-  return SizePreset{kOfStyle, inUnit * size->width, inUnit * size->height, isOnPaper,
+  return ExportSize{inUnit * size->width, inUnit * size->height, isOnPaper,
                     style.dotsPerInch > 0 ? style.dotsPerInch : usual};
 }
 
@@ -281,16 +288,10 @@ void ExportForm::fillFormats() {
 void ExportForm::fillSizes() {
   const QSignalBlocker quiet(preset_);
   const QString before = chosen(*preset_);
-  const bool isChart =
-      chosen(*content_) == "curve" || chosen(*content_) == "motion" || kind() == ExportKind::Figure;
   preset_->clear();
-  preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kUsual);
+  preset_->addItem(hasContact() ? tr("As in the window") : tr("Usual size"), kUsual);
   if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
-  const QStringList names{tr("Slide, 1280 × 720"), tr("Full HD, 1920 × 1080"),
-                          tr("4K, 3840 × 2160"), tr("Column of a journal, 86 × 62 mm"),
-                          tr("Page of a journal, 178 × 130 mm")};
-  for (std::size_t i = 0; i < kSizes.size(); ++i)
-    preset_->addItem(names[static_cast<int>(i)], kSizes[i].word);
+  for (const NamedSize& each : namedSizes()) preset_->addItem(each.text, each.word);
   preset_->addItem(tr("Own size"), kOwn);
   choose(*preset_, before);
 }
@@ -305,15 +306,13 @@ void ExportForm::showSize() {
     for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
     return;
   }
-  SizePreset size{kUsual, 1200, 800, false, kScreen};
+  ExportSize size{1200, 800, false, kScreen};
   if (chosen(*content_) == "motion") size.height = 1000;
   if (chosen(*content_) == "curve") size.height = curveHeight(shown_.curves, {1200, 800}, 1);
-  if (const QSize window = renderSize(shown_, chosen(*content_));
-      content_->currentData() != "curve" && content_->currentData() != "motion" &&
-      !window.isEmpty())
-    size = {kUsual, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
-  for (const SizePreset& each : kSizes)
-    if (word == each.word) size = each;
+  if (const QSize window = renderSize(shown_, chosen(*content_)); hasContact() && !window.isEmpty())
+    size = {1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
+  for (const NamedSize& each : namedSizes())
+    if (word == each.word) size = each.size;
   if (ofStyle) size = *ofStyle;
   const QSignalBlocker quiet(unit_);
   width_->setText(QString::number(size.width));
@@ -341,6 +340,12 @@ bool ExportForm::hasOwnSize() const {
   return size == kOfStyle || (size == kUsual && kind() == ExportKind::Figure);
 }
 
+/// Returns whether the contact is drawn or listed, rather than diagrams alone.
+bool ExportForm::hasContact() const {
+  const QString content = chosen(*content_);
+  return content != "curve" && content != "motion" && kind() != ExportKind::Figure;
+}
+
 /// Returns whether the format of the file knows transparency.
 bool ExportForm::canBeTransparent() const {
   return kind() != ExportKind::Film || extension() != ".mp4";
@@ -363,14 +368,11 @@ bool ExportForm::isOnPaper() const {
 /// Shows the rows that have a meaning for the kind.
 void ExportForm::showRows() {
   const bool isTable = kind() == ExportKind::Table, isFilm = kind() == ExportKind::Film;
-  const bool isFigure = kind() == ExportKind::Figure;
-  const QString content = chosen(*content_);
-  const bool hasContact = content != "curve" && content != "motion" && !isFigure;
   const auto show = [this](QWidget* field, bool isShown) { setRowShown(*rows_, field, isShown); };
   for (QWidget* field : Widgets{style_, preset_, size_, density_, theme_, transparent_})
     show(field, !isTable);
   for (QWidget* field : Widgets{width_, height_, unit_, density_}) field->setEnabled(!hasOwnSize());
-  show(asShown_, hasContact);
+  show(asShown_, hasContact());
   asShown_->setText(isFilm ? tr("Same p&art of the line as in the window")
                            : tr("Same p&art of the line and moment as in the window"));
   transparent_->setEnabled(canBeTransparent());
@@ -381,7 +383,7 @@ void ExportForm::showRows() {
   duration_->setEnabled(hasDuration());
   speedValue_->setEnabled(chosen(*speed_) != "whole");
   show(columns_, isTable);
-  show(realizations_, isFigure);
+  show(realizations_, kind() == ExportKind::Figure);
 }
 
 ExportRequest ExportForm::request() const {

@@ -74,6 +74,7 @@ class ExportForm : public QWidget {
   void followChoice(const QComboBox* box);
   void showSize();
   void convertSize();
+  bool hasContact() const;
   bool canBeTransparent() const;
   bool isSlow() const;
   bool hasDuration() const;

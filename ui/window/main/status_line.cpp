@@ -27,24 +27,30 @@
 
 namespace asperity {
 
-/// A reading, which keeps room for other texts and is never narrower than its own. It has a brief
-/// form for a narrow window.
+/// A reading in whole and in brief, for a narrow window.
+using StatusForms = std::array<QString, 2>;
+
+/// A reading, which keeps room for other texts and is never narrower than its own.
 class StatusReading : public QLabel {
  public:
   using QLabel::QLabel;
 
-  void setForms(const QString& whole, const QString& brief) {
-    forms_ = {whole, brief};
+  void setForms(const StatusForms& forms) {
+    forms_ = forms;
     setText(forms_[isBrief_]);
   }
-  void setForm(const QString& only) { setForms(only, only); }
+  void setForm(const QString& only) { setForms({only, only}); }
   void setBrief(bool isBrief) {
     isBrief_ = isBrief;
     if (text() != forms_[isBrief]) setText(forms_[isBrief]);
   }
-  /// Keeps the room of the widest of these texts, in each form.
-  void reserve(const QStringList& whole, const QStringList& brief) {
-    reserved_ = {widestText(*this, whole), widestText(*this, brief)};
+  /// Keeps the room of a number in each form, or of the widest of these texts.
+  void reserve(const StatusForms& forms) {
+    reserved_ = {widestText(*this, {forms[0]}), widestText(*this, {forms[1]})};
+    updateGeometry();
+  }
+  void reserve(const QStringList& texts) {
+    reserved_.fill(widestText(*this, texts));
     updateGeometry();
   }
   QSize sizeHint() const override {
@@ -54,7 +60,7 @@ class StatusReading : public QLabel {
   int wholeWidth() const { return std::max(reserved_[0], widestText(*this, {forms_[0]})); }
 
  private:
-  std::array<QString, 2> forms_;  // the whole and the brief one
+  StatusForms forms_;
   std::array<int, 2> reserved_{};
   bool isBrief_ = false;
 };
@@ -114,10 +120,10 @@ QString rateText(double rate) {
 }
 
 /// These functions return the forms of a number: "force F̄ = 0.034" and "F̄ = 0.034".
-QStringList forceForms(const QString& number) {
+StatusForms forceForms(const QString& number) {
   return {StatusLine::tr("force F̄ = %1").arg(number), StatusLine::tr("F̄ = %1").arg(number)};
 }
-QStringList velocityForms(const QString& number) {
+StatusForms velocityForms(const QString& number) {
   return {StatusLine::tr("velocity v̄ = %1").arg(number), StatusLine::tr("v̄ = %1").arg(number)};
 }
 
@@ -271,16 +277,13 @@ void StatusLine::reserveWidths() {
           : tr(", mean of %1 ≈ %2 ± %3 %").arg(888).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
-  const auto reserve = [](StatusReading* reading, const QStringList& texts) {
-    reading->reserve(texts, texts);
-  };
-  reserve(mu_, {frictionText({}, friction, false) + mean, frictionText({}, friction, true) + mean});
-  reserve(regime_, regions);
-  reserve(simulations_, {tr("%1 simulations/s").arg(rateText(8800000))});
-  reserve(rate_, {tr("%1 frames/s").arg(888)});
-  for (const auto& [reading, forms] :
-       {std::pair{force_, forceForms(number)}, std::pair{velocity_, velocityForms(number)}})
-    reading->reserve({forms[0]}, {forms[1]});
+  mu_->reserve(QStringList{frictionText({}, friction, false) + mean,
+                           frictionText({}, friction, true) + mean});
+  regime_->reserve(regions);
+  simulations_->reserve(QStringList{tr("%1 simulations/s").arg(rateText(8800000))});
+  rate_->reserve(QStringList{tr("%1 frames/s").arg(888)});
+  force_->reserve(forceForms(number));
+  velocity_->reserve(velocityForms(number));
   const QString notes = notes_->text();
   notes_->setText(tr("⚠ %1 notes").arg(8));
   roomForNotes_ = notes_->sizeHint().width();
@@ -381,8 +384,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   mu_->setForm(frictionText(*frame.scene, readingLabel(presentFriction(frame), 3, Zeros::Keep),
                             isSettling_) +
                mean);
-  const QStringList force = forceForms(readingLabel(dimensionlessForce(frame)));
-  force_->setForms(force[0], force[1]);
+  force_->setForms(forceForms(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading);
   settling_->setForm(isSettling_ ? tr("settling") : QString());
@@ -496,11 +498,8 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 /// the force beside it has the reason.
 void StatusLine::showVelocity(const Frame& frame) {
   const double velocity = dimensionlessVelocity(frame);
-  const QStringList forms = velocityForms(readingLabel(velocity));
-  if (std::isfinite(velocity))
-    velocity_->setForms(forms[0], forms[1]);
-  else
-    velocity_->setForm({});
+  velocity_->setForms(std::isfinite(velocity) ? velocityForms(readingLabel(velocity))
+                                              : StatusForms());
   const QString reason = missingVelocityReason(frame);
   const QString tip =
       wrappedTip(reason.isEmpty() ? forceTip() : forceTip() + QStringLiteral(". ") + reason);

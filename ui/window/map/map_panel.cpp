@@ -102,8 +102,6 @@ MapPanel::MapPanel(QWidget* parent)
       x_(named<ChoiceBox>("mapX")),
       y_(named<ChoiceBox>("mapY")),
       quantity_(named<ChoiceBox>("mapQuantity")),
-      xLabel_(new QLabel),
-      yLabel_(new QLabel),
       quantityLabel_(new QLabel),
       message_(named<QLabel>("mapMessage")),
       progressLabel_(named<QLabel>("mapProgress")),
@@ -116,7 +114,7 @@ MapPanel::MapPanel(QWidget* parent)
   for (ChoiceBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
   row_->setContentsMargins(8, 4, 8, 0);
   for (const auto& [label, box] :
-       {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
+       {std::pair{new QLabel("x:"), x_}, {new QLabel("y:"), y_}, {quantityLabel_, quantity_}}) {
     if (row_->count() > 0) row_->addSpacing(kBeforeLabel);
     label->setBuddy(box);
     // Each list is as wide as its present name; only where that is too much are names shortened.
@@ -151,8 +149,6 @@ MapPanel::MapPanel(QWidget* parent)
 }
 
 void MapPanel::showTexts() {
-  xLabel_->setText(QStringLiteral("x:"));
-  yLabel_->setText(QStringLiteral("y:"));
   x_->setAccessibleName(tr("parameter along x"));
   y_->setAccessibleName(tr("parameter along y"));
   quantityLabel_->setText(tr("Show:"));

@@ -69,8 +69,7 @@ class MapPanel : public QWidget {
   bool hasScene_ = false;
   QHBoxLayout* row_;  // of the lists
   ChoiceBox *x_, *y_, *quantity_;
-  QLabel *xLabel_, *yLabel_, *quantityLabel_;
-  QLabel *message_, *progressLabel_;
+  QLabel *quantityLabel_, *message_, *progressLabel_;
   LiveText messageText_, messageTip_;
   QPushButton* save_;
   QStackedWidget* end_;  // of the row: the button or, while it computes, the progress
