@@ -11,7 +11,6 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "ui/draw/picture_file.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
@@ -126,33 +125,6 @@ void InfluencePage::compute() {
   const bool hasWaves = showsWaves();
   // Another computation may be under way.
   if (shown_ == scene_ && shownWaves_ == hasWaves) return work_.cancel();
-  const Scene scene = *scene_;
-  const auto take = [this, scene, hasWaves](const Result& result) {
-    shown_ = scene;
-    shownWaves_ = hasWaves;
-    const char* verb = hasWaves ? "cutoff" : "sensitivity";
-    // The window shows title and scene above the diagram; without them the names of the bars have
-    // more space.
-    DiagramSheet shown = result.sheet;
-    shown.title = shown.subtitle = shown.note = {};
-    note_ = result.sheet.note;
-    view_->setToolTip(translatedText(note_));
-    view_->setMinimumHeight(heightFor(shown));
-    view_->show(
-        [shown] { return shown; },
-        {verb, [scene, verb] { return pictureOrigin(verb, scene); },
-         [scene, verb, table = result.table] { return provenanceComment(verb, scene) + table; },
-         [sheet = result.sheet] { return sheet; }});
-  };
-  const auto fail = [this](const LiveText& reason) {
-    shown_.reset();
-    note_ = {};
-    view_->setPlaceholder({});
-    view_->setToolTip({});
-    view_->setMinimumHeight(0);
-    view_->show(
-        [reason]() -> DiagramSheet { throw std::runtime_error(QString(reason).toStdString()); });
-  };
   // The diagram of another question would pass for the answer to this one.
   if (shownWaves_ != hasWaves) {
     view_->clear();
@@ -160,7 +132,7 @@ void InfluencePage::compute() {
   }
   percent_ = 0;
   work_.request(
-      [this, scene, hasWaves](const BackgroundWork::Run& run) {
+      [this, scene = *scene_, hasWaves](const BackgroundWork::Run& run) {
         StateOptions options{.stop = run.stop()};
         options.progress = run.percents([this](int percent) {
           percent_ = percent;
@@ -168,8 +140,38 @@ void InfluencePage::compute() {
         });
         return hasWaves ? computeCutoff(scene, options) : computeSensitivity(scene, options);
       },
-      take, fail);
+      [this, scene = *scene_, hasWaves](const Result& result) {
+        shown_ = scene;
+        shownWaves_ = hasWaves;
+        showResult(result.sheet, result.table);
+      },
+      [this](const LiveText& reason) { showFailure(reason); });
   showProgress();
+}
+
+void InfluencePage::showResult(const DiagramSheet& sheet, const std::string& table) {
+  note_ = sheet.note;
+  // The window shows title and scene above the diagram; without them the names of the bars have
+  // more space.
+  DiagramSheet shown = sheet;
+  shown.title = shown.subtitle = shown.note = {};
+  view_->setToolTip(translatedText(note_));
+  view_->setMinimumHeight(heightFor(shown));
+  const char* verb = shownWaves_ ? "cutoff" : "sensitivity";
+  view_->show([shown] { return shown; },
+              {verb, [scene = *shown_, verb] { return pictureOrigin(verb, scene); },
+               [scene = *shown_, verb, table] { return provenanceComment(verb, scene) + table; },
+               [sheet] { return sheet; }});
+}
+
+void InfluencePage::showFailure(const LiveText& reason) {
+  shown_.reset();
+  note_ = {};
+  view_->setPlaceholder({});
+  view_->setToolTip({});
+  view_->setMinimumHeight(0);
+  view_->show(
+      [reason]() -> DiagramSheet { throw std::runtime_error(QString(reason).toStdString()); });
 }
 
 }  // namespace asperity

@@ -6,10 +6,12 @@
 
 #include <QWidget>
 #include <optional>
+#include <string>
 
 #include "core/base/message.h"
 #include "core/chart/diagram.h"
 #include "core/scene/scene.h"
+#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 class QLabel;
@@ -35,6 +37,8 @@ class InfluencePage : public QWidget {
  private:
   void showTexts();
   void compute();
+  void showResult(const DiagramSheet& sheet, const std::string& table);
+  void showFailure(const LiveText& reason);
   void showProgress();
   bool showsWaves() const;
   int heightFor(const DiagramSheet& sheet) const;

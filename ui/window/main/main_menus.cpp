@@ -127,6 +127,27 @@ void fillLanguages(QMenu& menu, const std::function<void(std::string_view)>& use
   keepTranslated(*names, [system] { system->setText(MainMenus::tr("Same as system")); });
 }
 
+QToolButton* scenesButton(const MenuParts& parts, QMenu& menu) {
+  auto* scenes = named<QToolButton>("scenesButton");
+  scenes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  scenes->setPopupMode(QToolButton::InstantPopup);
+  scenes->setMenu(&menu);
+  // While the menu is open, Qt does not tell the button that the pointer leaves it.
+  QObject::connect(&menu, &QMenu::aboutToHide, scenes, [scenes] {
+    if (scenes->rect().contains(scenes->mapFromGlobal(QCursor::pos()))) return;
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(scenes, &leave);
+    scenes->update();
+  });
+  QObject::connect(
+      &parts.appearance, &Appearance::themeChanged, scenes, [scenes](const Theme& theme) {
+        scenes->setIcon(
+            symbolIcon(Symbol::Scenes, themePalette(theme).color(QPalette::WindowText)));
+      });
+  keepTranslated(*scenes, [scenes] { scenes->setText(buttonText(MainMenus::tr("Scenes"))); });
+  return scenes;
+}
+
 void addToolBar(const MenuParts& parts, QMenu& scenesMenu) {
   const Commands& commands = parts.commands;
   QToolBar* bar = parts.window.addToolBar(QString());
@@ -139,23 +160,7 @@ void addToolBar(const MenuParts& parts, QMenu& scenesMenu) {
     new SteadyWidth(*play, parts.playTexts);
   bar->addSeparator();
 
-  auto* scenes = named<QToolButton>("scenesButton");
-  scenes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  scenes->setPopupMode(QToolButton::InstantPopup);
-  scenes->setMenu(&scenesMenu);
-  // While the menu is open, Qt does not tell the button that the pointer leaves it.
-  QObject::connect(&scenesMenu, &QMenu::aboutToHide, scenes, [scenes] {
-    if (scenes->rect().contains(scenes->mapFromGlobal(QCursor::pos()))) return;
-    QEvent leave(QEvent::Leave);
-    QCoreApplication::sendEvent(scenes, &leave);
-    scenes->update();
-  });
-  QObject::connect(
-      &parts.appearance, &Appearance::themeChanged, scenes, [scenes](const Theme& theme) {
-        scenes->setIcon(
-            symbolIcon(Symbol::Scenes, themePalette(theme).color(QPalette::WindowText)));
-      });
-  bar->addWidget(scenes);
+  bar->addWidget(scenesButton(parts, scenesMenu));
   bar->addActions(commands.get({"figures", "open", "save"}));
   bar->addSeparator();
   bar->addActions(commands.get({"undo", "redo"}));
@@ -174,9 +179,8 @@ void addToolBar(const MenuParts& parts, QMenu& scenesMenu) {
     more->setToolButtonStyle(Qt::ToolButtonTextOnly);
     more->setText(QStringLiteral("»"));
   }
-  keepTranslated(*bar, [bar, scenes, more] {
+  keepTranslated(*bar, [bar, more] {
     bar->setWindowTitle(MainMenus::tr("Commands"));
-    scenes->setText(buttonText(MainMenus::tr("Scenes")));
     if (!more) return;
     more->setToolTip(MainMenus::tr("More commands"));
     more->setAccessibleName(MainMenus::tr("More commands"));
