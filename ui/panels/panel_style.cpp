@@ -4,16 +4,10 @@
 #include <QStyle>
 #include <QWidget>
 
-#include "ui/draw/theme.h"
-
 namespace asperity {
 
 bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
-}
-
-const Theme& pictureTheme(const QPalette& palette) {
-  return isDark(palette) ? darkTheme() : lightTheme();
 }
 
 QColor errorColour(const QPalette& palette) {

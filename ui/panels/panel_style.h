@@ -13,12 +13,8 @@ class QWidget;
 
 namespace asperity {
 
-struct Theme;
-
 /// Returns whether the windows of a palette are dark.
 bool isDark(const QPalette& palette);
-/// Returns the theme of pictures in such windows, light or dark.
-const Theme& pictureTheme(const QPalette& palette);
 
 /// Returns the colour of error messages, legible on the palette's background.
 QColor errorColour(const QPalette& palette);

@@ -21,7 +21,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/panel_style.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/exports.h"
 #include "ui/window/main/file_dialogs.h"

@@ -20,7 +20,7 @@
 #include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/language/translated.h"
-#include "ui/panels/panel_style.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/file_dialogs.h"
 
 namespace asperity {

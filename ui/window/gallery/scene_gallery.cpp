@@ -12,10 +12,10 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/panel_style.h"
 #include "ui/window/gallery/card_list.h"
 #include "ui/window/gallery/scene_cards.h"
 #include "ui/window/gallery/scene_thumbnails.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -124,6 +124,10 @@ bool systemIsDark() {
   return QApplication::palette().color(QPalette::Midlight).lightness() < 128;
 }
 
+const Theme& pictureTheme(const QPalette& palette) {
+  return isDark(palette) ? darkTheme() : lightTheme();
+}
+
 QPalette themePalette(const Theme& theme) {
   const QColor panel = panelColour(theme);
   const QColor text = toQColor(theme.text);

@@ -72,6 +72,8 @@ class Appearance : public QObject {
 /// them and reports their change; those of GNOME are always light.
 bool systemIsDark();
 QPalette themePalette(const Theme& theme);
+/// Returns the theme of pictures in windows of this palette, light or dark.
+const Theme& pictureTheme(const QPalette& palette);
 
 /// Returns the factor of all texts in a presentation on a screen of this size in pixels. Texts are
 /// the same part of the height of every screen, so that they can be read from the back of a room,
