@@ -26,7 +26,7 @@ inline constexpr double kForcesAgree = 1e-4;
 struct SlidingConditions {
   double shearModulus = 0;    // Pa, G
   double relaxationTime = 0;  // s, tau; 0: elastic
-  double velocity = 0;        // m/s, >= 0; the direction is the PreparedProfile's
+  double velocity = 0;        // m/s, >= 0
 
   double relaxationLength() const { return velocity * relaxationTime; }  // m, c
   /// Returns the same elastomer at another velocity (m/s).

@@ -87,7 +87,7 @@ class Realizations {
     // The making of a long line takes as long as everything else.
     const Slopes slopes = work_.scheme == Scheme::Linear ? Slopes::Omitted : Slopes::Computed;
     if (!work_.source.makeInto(buffers.line, realization, slopes, stop_) ||
-        !prepareProfileInto(buffers.profile, buffers.line, work_.scheme, Direction::Forward, stop_))
+        !prepareProfileInto(buffers.profile, buffers.line, work_.scheme, stop_))
       return nullptr;
     buffers.owner = owner_;
     buffers.realization = realization;

@@ -20,24 +20,12 @@ double relative(double a, double b) {
   return std::abs(a - b) / std::max(std::abs(a), std::abs(b));
 }
 
-PreparedProfile profileOf(const Situation& situation, Direction direction = Direction::Forward) {
-  return prepareProfile(situation.line, situation.scheme, direction);
+PreparedProfile profileOf(const Situation& situation) {
+  return prepareProfile(situation.line, situation.scheme);
 }
 
 double highestOf(const PreparedProfile& profile) {
   return *std::max_element(profile.heightAboveMinimum.begin(), profile.heightAboveMinimum.end());
-}
-
-Line mirrored(const Line& line) {
-  Line mirror = line;
-  const std::size_t n = line.nodes();
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t from = (n - i) % n;
-    mirror.height[i] = line.height[from];
-    mirror.slopeAfter[i] = -line.slopeLeftOf(from);
-    if (!line.slopeBefore.empty()) mirror.slopeBefore[i] = -line.slopeAfter[from];
-  }
-  return mirror;
 }
 
 Line moved(const Line& line, std::size_t nodes) {
@@ -174,16 +162,6 @@ Finding forceGrowsWithDepth(const Situation& situation, double indentation) {
   return {"F_N grows with d", worst, 1e-12 + heightNoise(situation, indentation)};
 }
 
-Finding mirrorSymmetry(const Situation& situation) {
-  Situation mirror = situation;
-  mirror.line = mirrored(situation.line);
-  const SteadyResult back =
-      slideAtLoad(profileOf(situation, Direction::Backward), situation.conditions, situation.load);
-  const SteadyResult on = solve(mirror, Path::Plain);
-  return {"mirror symmetry", apart(situation, back.mu, on.mu),
-          1e-12 + 4 * (back.residual + on.residual) + heightNoise(situation, on.indentation)};
-}
-
 Finding exactScaling(const Situation& situation, Path path, double mu) {
   const Situation other = scaled(situation, 8, 4, 2, 16);
   const double wanted = mu * 2;
@@ -215,7 +193,7 @@ std::vector<Finding> allFindings(const Situation& situation) {
     add({exactScaling(situation, path, result.mu), shiftSymmetry(situation, path, result)});
     if (path == Path::Lanes) continue;
     add(shapeFindings(situation, result.indentation));
-    add({forceGrowsWithDepth(situation, result.indentation), mirrorSymmetry(situation)});
+    add({forceGrowsWithDepth(situation, result.indentation)});
   }
   return findings;
 }

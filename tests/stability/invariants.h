@@ -42,9 +42,6 @@ std::vector<Finding> shapeFindings(const Situation& situation, double indentatio
 /// Never less force at more depth, around that indentation.
 Finding forceGrowsWithDepth(const Situation& situation, double indentation);
 
-/// F_x(-v; z(x)) = -F_x(v; z(-x)).
-Finding mirrorSymmetry(const Situation& situation);
-
 /// Lengths, modulus and time scaled by powers of two: the same bits of mu.
 Finding exactScaling(const Situation& situation, Path path, double mu);
 

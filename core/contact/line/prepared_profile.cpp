@@ -5,37 +5,15 @@
 namespace asperity {
 namespace {
 
-/// Nodes and slopes of a line in the order in which material meets them, for either direction. In
-/// sliding towards +x the line's right end comes first: s runs against x.
+/// Nodes and slopes of a line in the order in which material meets them. The line slides towards
+/// +x, so its right end comes first: s runs against x.
 class TravelOrder {
  public:
-  TravelOrder(const Line& line, Direction direction)
-      : line_(line), count_(line.nodes()), forward_(direction == Direction::Forward) {}
+  explicit TravelOrder(const Line& line) : line_(line) {}
 
-  std::size_t next(std::size_t node) const {
-    if (forward_) return node == 0 ? count_ - 1 : node - 1;
-    return node + 1 == count_ ? 0 : node + 1;
-  }
-  /// Returns the number of segments from this node to the end of the Line in the direction of
-  /// travel.
-  std::size_t nodesAhead(std::size_t node) const { return forward_ ? node : count_ - 1 - node; }
-  std::size_t moved(std::size_t node, std::size_t by) const {
-    return forward_ ? node - by : node + by;
-  }
-  /// Calls take(k, node k, node k + 1) for a run of segments inside the Line.
-  template <class Take>
-  void forRun(std::size_t node, std::size_t run, const Take& take) const {
-    if (forward_)
-      for (std::size_t k = 0; k < run; ++k) take(k, node - k, node - k - 1);
-    else
-      for (std::size_t k = 0; k < run; ++k) take(k, node + k, node + k + 1);
-  }
-  double slopeAfter(std::size_t node) const {
-    return forward_ ? -line_.slopeLeftOf(node) : line_.slopeAfter[node];
-  }
-  double slopeBefore(std::size_t node) const {
-    return forward_ ? -line_.slopeAfter[node] : line_.slopeLeftOf(node);
-  }
+  std::size_t next(std::size_t node) const { return node == 0 ? line_.nodes() - 1 : node - 1; }
+  double slopeAfter(std::size_t node) const { return -line_.slopeLeftOf(node); }
+  double slopeBefore(std::size_t node) const { return -line_.slopeAfter[node]; }
   /// Returns the cubic over the segment after a node, with heights above `level`.
   Cubic cubicAfter(std::size_t node, double level) const {
     const std::size_t to = next(node);
@@ -46,8 +24,6 @@ class TravelOrder {
 
  private:
   const Line& line_;
-  std::size_t count_;
-  bool forward_;
 };
 
 struct Lowest {
@@ -89,20 +65,20 @@ std::size_t setWholeSegments(PreparedProfile& profile, const Line& line, const T
   const bool isLinear = profile.scheme == Scheme::Linear;
   double* height = profile.heightAboveMinimum.data();
   double *in = profile.slopeIn.data(), *out = profile.slopeOut.data();
+  const auto take = [&](std::size_t i, std::size_t from, std::size_t to) {
+    const double straight = (line.height[to] - line.height[from]) * perSpacing;
+    height[i] = line.height[from] - level;
+    in[i] = isLinear ? straight : order.slopeAfter(from);
+    if (!isLinear) out[i] = order.slopeBefore(to);
+  };
   for (std::size_t i = first, end = first + count; i < end;) {
-    const std::size_t run = std::min(order.nodesAhead(node), end - i);
-    const auto take = [&](std::size_t k, std::size_t from, std::size_t to) {
-      const double straight = (line.height[to] - line.height[from]) * perSpacing;
-      height[i + k] = line.height[from] - level;
-      in[i + k] = isLinear ? straight : order.slopeAfter(from);
-      if (!isLinear) out[i + k] = order.slopeBefore(to);
-    };
-    order.forRun(node, run, take);
+    const std::size_t run = std::min(node, end - i);  // to the end of the Line, which is node 0
+    for (std::size_t k = 0; k < run; ++k) take(i + k, node - k, node - k - 1);
     i += run;
-    if (i == end) return order.moved(node, run);
-    node = order.moved(node, run);
+    node -= run;
+    if (i == end) break;
     const std::size_t to = order.next(node);  // across the end of the Line
-    take(0, node, to);
+    take(i, node, to);
     node = to;
     ++i;
   }
@@ -275,30 +251,25 @@ Cubic PreparedProfile::segmentBackwards(std::size_t i) const {
                       -slopeIn[i] * h);
 }
 
-std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
-                                Direction direction) {
+std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values) {
   // the lowest point is not a node
   const std::size_t skipped = profile.startsInsideSegment ? 1 : 0;
   const std::size_t count = values.size() - skipped;
   std::vector<double> ordered(count);
   for (std::size_t k = skipped; k < values.size(); ++k) {
-    const std::size_t away = k % count;
-    const std::size_t node = direction == Direction::Forward
-                                 ? (profile.firstNode + count - away) % count
-                                 : (profile.firstNode + away) % count;
-    ordered[node] = values[k];
+    ordered[(profile.firstNode + count - k % count) % count] = values[k];
   }
   return ordered;
 }
 
 bool prepareProfileInto(PreparedProfile& profile, const Line& line, Scheme scheme,
-                        Direction direction, const std::stop_token& stop) {
+                        const std::stop_token& stop) {
   profile.scheme = scheme;
   profile.length = line.length;
   profile.spacing = line.spacing;
   profile.rmsHeight = line.rmsHeight;
   profile.rmsSlope = line.rmsSlope;
-  const TravelOrder order(line, direction);
+  const TravelOrder order(line);
   const Lowest lowest = findLowest(line, order, scheme);
   profile.firstNode = lowest.node;
   profile.lowestHeight = lowest.height;
@@ -307,9 +278,9 @@ bool prepareProfileInto(PreparedProfile& profile, const Line& line, Scheme schem
                                  : addResolvedSegments(profile, line, order, lowest, stop);
 }
 
-PreparedProfile prepareProfile(const Line& line, Scheme scheme, Direction direction) {
+PreparedProfile prepareProfile(const Line& line, Scheme scheme) {
   PreparedProfile profile;
-  prepareProfileInto(profile, line, scheme, direction);
+  prepareProfileInto(profile, line, scheme);
   return profile;
 }
 

@@ -1,6 +1,6 @@
 // A line prepared for contact: its segments in the order in which material meets them, starting at
-// the lowest point, where contact is certain, so that one pass closes the period. Made once per
-// line, scheme and direction; then read by any number of threads.
+// the lowest point, where contact is certain, so that one pass closes the period. The line slides
+// towards +x. Made once per line and scheme; then read by any number of threads.
 //
 // s is the distance that the material has travelled under the line (m). Heights are measured from
 // the lowest point, z >= 0, so at indentation d a point of the line presses the material to the
@@ -18,8 +18,6 @@
 #include "core/surface/line.h"
 
 namespace asperity {
-
-enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
 struct PreparedProfile {
   Scheme scheme = Scheme::Cubic;
@@ -111,15 +109,13 @@ struct PreparedProfile {
 };
 
 /// Returns values at the segments' starts (NodeShape) as values at the Line's nodes, in order of x.
-std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
-                                Direction direction = Direction::Forward);
+std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values);
 
-PreparedProfile prepareProfile(const Line& line, Scheme scheme,
-                               Direction direction = Direction::Forward);
+PreparedProfile prepareProfile(const Line& line, Scheme scheme);
 
 /// Prepares a profile in memory that is used again. Returns false where `stop` was requested, which
 /// is checked between steps of about ten numbers per node; the profile is then incomplete.
 bool prepareProfileInto(PreparedProfile& profile, const Line& line, Scheme scheme,
-                        Direction direction = Direction::Forward, const std::stop_token& stop = {});
+                        const std::stop_token& stop = {});
 
 }  // namespace asperity

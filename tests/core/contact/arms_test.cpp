@@ -251,24 +251,6 @@ TEST_P(Arms, PressureAndGapExcludeEachOther) {
     }
 }
 
-/// F_x(-v; z(x)) = -F_x(v; z(-x)).
-TEST_P(Arms, MirrorSymmetry) {
-  const Line rough = roughLine(300, 2);
-  Line mirrored = rough;
-  const std::size_t n = rough.nodes();
-  for (std::size_t i = 0; i < n; ++i) {
-    mirrored.height[i] = rough.height[(n - i) % n];
-    mirrored.slopeAfter[i] = -rough.slopeAfter[(n - i) % n];
-  }
-  for (const auto& [name, elastomer] : allElastomers()) {
-    const PreparedProfile back = prepareProfile(rough, Scheme::Cubic, Direction::Backward);
-    const PreparedProfile forth = prepareProfile(mirrored, Scheme::Cubic, Direction::Forward);
-    const double one = slide(elastomer, back, 0.1, force(0.02)).result.mu;
-    const double other = slide(elastomer, forth, 0.1, force(0.02)).result.mu;
-    EXPECT_NEAR(one, other, 1e-12 + 1e-9 * other) << name;
-  }
-}
-
 /// Rougher summits: the rms slope in contact falls with growing depth; rougher valleys: it rises.
 TEST_P(Arms, SummitCorrelationReversesTheTrendOfTheSlopeInContact) {
   for (const double kappa : {-0.9, 0.9}) {

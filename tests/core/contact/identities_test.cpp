@@ -100,32 +100,6 @@ TEST(Identities, ForceGrowsWithDepthAndIsConvex) {
   }
 }
 
-Line mirrored(const Line& line) {
-  Line mirror = line;
-  const std::size_t n = line.nodes();
-  for (std::size_t i = 0; i < n; ++i) {
-    mirror.height[i] = line.height[(n - i) % n];
-    mirror.slopeAfter[i] = -line.slopeAfter[(n - i) % n];
-  }
-  return mirror;
-}
-
-/// F_x(-v; z(x)) = -F_x(v; z(-x)): sliding back under a line is sliding on under its mirror image.
-TEST(Identities, MirrorSymmetry) {
-  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    const Line line = roughLine(400, 2);
-    const PreparedProfile back = prepareProfile(line, scheme, Direction::Backward);
-    const PreparedProfile on = prepareProfile(mirrored(line), scheme);
-    for (const Case& each : kCases) {
-      const SlidingConditions conditions{kModulus, kTau, each.velocity};
-      const SteadyResult a = slideAtForce(back, conditions, each.force);
-      const SteadyResult b = slideAtForce(on, conditions, each.force);
-      EXPECT_NEAR(a.mu / b.mu, 1, 1e-12);
-      EXPECT_NEAR(a.indentation, b.indentation, 1e-12 * b.indentation);
-    }
-  }
-}
-
 /// mu depends on F_N / G h L, v tau / L and the shape alone: scaling by powers of two changes no
 /// bit.
 TEST(Identities, ScalingByPowersOfTwoGivesTheSameBits) {

@@ -33,6 +33,19 @@ inline Line roughLine(std::int64_t elements, std::int64_t oversampling = 1, doub
   return LineSource(scene, oversampling).make(realization);
 }
 
+/// Returns the line in the mirror x -> -x: sliding under it is sliding back under the line itself.
+inline Line mirrored(const Line& line) {
+  Line mirror = line;
+  const std::size_t n = line.nodes();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t from = (n - i) % n;
+    mirror.height[i] = line.height[from];
+    mirror.slopeAfter[i] = -line.slopeLeftOf(from);
+    if (!line.slopeBefore.empty()) mirror.slopeBefore[i] = -line.slopeAfter[from];
+  }
+  return mirror;
+}
+
 inline double relativeError(double value, double exact) {
   return std::abs(value / exact - 1);
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/contact/steady_solver.h"
+#include "tests/core/contact/lines.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/run/transient_samples.h"
 
@@ -366,8 +367,7 @@ TEST(Transient, AReversalEndsInTheMirroredSteadyState) {
   EXPECT_GT(back.mu, 0);
   EXPECT_LT(back.velocity, 0);
   const RigidLine rigid(scene);
-  const PreparedProfile backwards =
-      prepareProfile(*rigid.line, scene.accuracy.scheme, Direction::Backward);
+  const PreparedProfile backwards = prepareProfile(mirrored(*rigid.line), scene.accuracy.scheme);
   const double steady = SteadySolver(scene).at(backwards, 0.2).result.mu;
   EXPECT_NEAR(back.mu / steady, 1, 0.03);
 }

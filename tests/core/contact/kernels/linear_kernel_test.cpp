@@ -55,8 +55,8 @@ TEST_P(LinearKernel, AgreesWithThePlainPass) {
 
 TEST_P(LinearKernel, BothWaysAlongTheLine) {
   const Line rough = roughLine(1000, 1, 0.3);
-  for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-    const PreparedProfile line = prepareProfile(rough, Scheme::Linear, direction);
+  for (const Line& way : {rough, mirrored(rough)}) {
+    const PreparedProfile line = prepareProfile(way, Scheme::Linear);
     for (const double relaxationLength : kRelaxationLengths)
       expectPlain(line, 6e-7, relaxationLength);
   }

@@ -10,19 +10,17 @@ namespace asperity {
 namespace {
 
 TEST(PreparedProfile, StartsAndEndsAtTheLowestPoint) {
-  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
-    for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-      const PreparedProfile line = prepareProfile(roughLine(300), scheme, direction);
-      EXPECT_EQ(line.heightAboveMinimum.front(), 0);
-      EXPECT_EQ(line.heightAboveMinimum.back(), 0);
-      EXPECT_GE(*std::min_element(line.heightAboveMinimum.begin(), line.heightAboveMinimum.end()),
-                0);
-      EXPECT_EQ(line.position(0), 0);
-      EXPECT_EQ(line.position(line.segments()), line.length);
-      for (std::size_t i = 0; i < line.segments(); ++i)
-        EXPECT_GT(line.position(i + 1), line.position(i));
-      EXPECT_EQ(line.heightAboveMinimum.size(), line.segments() + 1);
-    }
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    const PreparedProfile line = prepareProfile(roughLine(300), scheme);
+    EXPECT_EQ(line.heightAboveMinimum.front(), 0);
+    EXPECT_EQ(line.heightAboveMinimum.back(), 0);
+    EXPECT_GE(*std::min_element(line.heightAboveMinimum.begin(), line.heightAboveMinimum.end()), 0);
+    EXPECT_EQ(line.position(0), 0);
+    EXPECT_EQ(line.position(line.segments()), line.length);
+    for (std::size_t i = 0; i < line.segments(); ++i)
+      EXPECT_GT(line.position(i + 1), line.position(i));
+    EXPECT_EQ(line.heightAboveMinimum.size(), line.segments() + 1);
+  }
 }
 
 /// The lowest point of a smooth line lies between nodes; only `cubic` knows it.
@@ -81,18 +79,17 @@ TEST(PreparedProfile, BlocksAreTheirSegmentsTogether) {
 }
 
 TEST(PreparedProfile, ValuesReturnToTheNodesTheyCameFrom) {
-  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
-    for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-      const Line line = roughLine(101);
-      const PreparedProfile profile = prepareProfile(line, scheme, direction);
-      const std::vector<double> rises(profile.heightAboveMinimum.begin(),
-                                      profile.heightAboveMinimum.end() - 1);
-      const std::vector<double> ordered = inLineOrder(profile, rises, direction);
-      ASSERT_EQ(ordered.size(), line.nodes());
-      for (std::size_t i = 0; i < line.nodes(); ++i)
-        // Beside the lowest point rises are told apart better than heights are.
-        EXPECT_NEAR(ordered[i], line.height[i] - profile.lowestHeight, 1e-15 * line.rmsHeight);
-    }
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    const Line line = roughLine(101);
+    const PreparedProfile profile = prepareProfile(line, scheme);
+    const std::vector<double> rises(profile.heightAboveMinimum.begin(),
+                                    profile.heightAboveMinimum.end() - 1);
+    const std::vector<double> ordered = inLineOrder(profile, rises);
+    ASSERT_EQ(ordered.size(), line.nodes());
+    for (std::size_t i = 0; i < line.nodes(); ++i)
+      // Beside the lowest point rises are told apart better than heights are.
+      EXPECT_NEAR(ordered[i], line.height[i] - profile.lowestHeight, 1e-15 * line.rmsHeight);
+  }
 }
 
 /// Nothing but the search for the lowest point is done after it is told to stop.
@@ -101,8 +98,7 @@ TEST(PreparedProfile, StopsWhenAsked) {
   stop.request_stop();
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
     PreparedProfile profile;
-    EXPECT_FALSE(
-        prepareProfileInto(profile, roughLine(100), scheme, Direction::Forward, stop.get_token()));
+    EXPECT_FALSE(prepareProfileInto(profile, roughLine(100), scheme, stop.get_token()));
     EXPECT_TRUE(profile.heightAboveMinimum.empty());
     EXPECT_TRUE(prepareProfileInto(profile, roughLine(100), scheme));
     EXPECT_FALSE(profile.heightAboveMinimum.empty());
