@@ -208,10 +208,10 @@ bool LevelSampler::slide(int level, const States& states, std::int64_t first, st
                          std::vector<std::vector<SteadyResult>>& results) {
   LoadCase one{scene_.load, {}};
   for (const VelocityState* state : states) one.velocities.push_back(state->velocity);
-  const RealizationTask task{scene_, source(level), {&one, 1}, first};
+  const RealizationPart part{scene_, {&one, 1}};
   results.clear();
   return slideRealizations(
-      task, count, options_.threads, options_.stop,
+      {source(level), {&part, 1}, first}, count, options_.threads, options_.stop,
       [&](std::span<const SteadyResult> row) { results.emplace_back(row.begin(), row.end()); });
 }
 

@@ -18,9 +18,14 @@ struct RowsAsLines {
   Scene scene;
   LineSource source;
   LoadCase sweep;
+  RealizationPart part;
 
   RowsAsLines(const Scene& given, const std::vector<double>& velocities)
-      : scene(withEveryRow(given)), source(scene, 1), sweep{given.load, velocities} {}
+      : scene(withEveryRow(given)),
+        source(scene, 1),
+        sweep{given.load, velocities},
+        part{scene, {&sweep, 1}} {}
+  RowsAsLines(const RowsAsLines&) = delete;
 
   static Scene withEveryRow(Scene scene) {
     scene.accuracy = {Scheme::Cubic, 1, 0};
@@ -28,7 +33,7 @@ struct RowsAsLines {
     return scene;
   }
 
-  RealizationTask from(std::int64_t row) const { return {scene, source, {&sweep, 1}, row}; }
+  RealizationWork from(std::int64_t row) const { return {source, {&part, 1}, row}; }
 };
 
 }  // namespace

@@ -36,13 +36,13 @@ class Side {
     const std::int64_t count = std::min(upTo, total_) - done_;
     rows.clear();
     if (count <= 0) return true;
-    const RealizationTask task{scene_, source_, {&sweep_, 1}, done_};
-    const bool isWhole = slideRealizations(task, count, options.threads, options.stop,
-                                           [&](std::span<const SteadyResult> results) {
-                                             std::vector<double>& row = rows.emplace_back();
-                                             for (const SteadyResult& result : results)
-                                               row.push_back(result.mu);
-                                           });
+    const RealizationPart part{scene_, {&sweep_, 1}};
+    const bool isWhole =
+        slideRealizations({source_, {&part, 1}, done_}, count, options.threads, options.stop,
+                          [&](std::span<const SteadyResult> results) {
+                            std::vector<double>& row = rows.emplace_back();
+                            for (const SteadyResult& result : results) row.push_back(result.mu);
+                          });
     done_ += count;
     return isWhole;
   }

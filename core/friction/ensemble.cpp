@@ -25,9 +25,9 @@ class Averaging {
     countStage(Stage::Line);
     if (total_ > 1) countStage(Stage::Averaging);
     const LoadCase sweep{scene_.load, velocities_};
-    const RealizationTask task{scene_, source_, {&sweep, 1}, 0};
+    const RealizationPart part{scene_, {&sweep, 1}};
     curve_.isComplete = slideRealizations(
-        task, total_, options_.threads, options_.stop,
+        {source_, {&part, 1}}, total_, options_.threads, options_.stop,
         [this](std::span<const SteadyResult> row) { add(row); },
         [this](std::int64_t done) { report(done); });
     curve_.points = points();

@@ -11,8 +11,7 @@ namespace {
 std::vector<LoadCase> makeCases(const std::vector<double>& normalForces,
                                 const std::vector<double>& velocities) {
   std::vector<LoadCase> cases;
-  for (const double force : normalForces)
-    cases.push_back({{LoadKind::Force, force, 0}, velocities});
+  for (const double force : normalForces) cases.push_back(atForce(force, velocities));
   return cases;
 }
 
@@ -37,9 +36,9 @@ GroupedMeans::GroupedMeans(const Scene& scene, std::vector<LoadCase> cases,
   groupSizes_.assign(static_cast<std::size_t>(groups_), 0);
   sums_.assign(groupSizes_.size() * cellOf(cases_.size(), 0), Sums{});
   std::int64_t taken = 0;
-  const RealizationTask task{scene_, source, cases_, 0};
+  const RealizationPart part{scene_, cases_};
   const bool isWhole = slideRealizations(
-      task, realizations_, options.threads, options.stop,
+      {source, {&part, 1}}, realizations_, options.threads, options.stop,
       [&](std::span<const SteadyResult> results) { add(taken++, results); },
       [&](std::int64_t done) {
         if (options.progress) options.progress(done, realizations_);

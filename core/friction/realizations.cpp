@@ -85,9 +85,9 @@ class Realizations {
     if (buffers.owner == owner_ && buffers.realization == realization) return &buffers.profile;
     buffers.owner = 0;
     // The making of a long line takes as long as everything else.
-    const Slopes slopes = work_.scheme == Scheme::Linear ? Slopes::Omitted : Slopes::Computed;
+    const Slopes slopes = work_.scheme() == Scheme::Linear ? Slopes::Omitted : Slopes::Computed;
     if (!work_.source.makeInto(buffers.line, realization, slopes, stop_) ||
-        !prepareProfileInto(buffers.profile, buffers.line, work_.scheme, stop_))
+        !prepareProfileInto(buffers.profile, buffers.line, work_.scheme(), stop_))
       return nullptr;
     buffers.owner = owner_;
     buffers.realization = realization;
@@ -150,14 +150,6 @@ class Realizations {
 };
 
 }  // namespace
-
-bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
-                       const std::stop_token& stop, const TakeRealization& take,
-                       const BatchDone& batchDone) {
-  const RealizationPart part{task.scene, task.cases};
-  const RealizationWork work{task.source, task.scene.accuracy.scheme, {&part, 1}, task.first};
-  return slideRealizations(work, count, threads, stop, take, batchDone);
-}
 
 bool slideRealizations(const RealizationWork& work, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,

@@ -11,6 +11,7 @@
 #include <functional>
 #include <span>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/contact/steady_sliding.h"
@@ -25,17 +26,15 @@ struct LoadCase {
   std::vector<double> velocities;  // m/s, ascending
 };
 
-struct RealizationTask {
-  const Scene& scene;  // gives elastomer and scheme; load and sweep are those below
-  const LineSource& source;
-  std::span<const LoadCase> cases;
-  std::int64_t first = 0;  // first realization
-};
+/// Returns the case of a constant normal force (N).
+inline LoadCase atForce(double normalForce, std::vector<double> velocities) {
+  return {{LoadKind::Force, normalForce, 0}, std::move(velocities)};
+}
 
 /// What slides on each line: the elastomer and the interface of a scene, at some loads and
 /// velocities.
 struct RealizationPart {
-  const Scene& scene;
+  const Scene& scene;  // its load and its sweep do not count
   std::span<const LoadCase> cases;
   /// Whether depths found at one force are where the search at the next one begins. It changes the
   /// cost and the last digits within the residual; all cases must have the same velocities.
@@ -43,16 +42,18 @@ struct RealizationPart {
   bool beginsChunk = true;  // false: slid by the same thread as the part before it
 };
 
-/// Several parts on the same lines. Each line is made once for as many parts as a thread slides
-/// together.
+/// One or more parts of one scheme on the same lines. Each line is made once for as many parts as a
+/// thread slides together.
 struct RealizationWork {
   const LineSource& source;
-  Scheme scheme;
   std::span<const RealizationPart> parts;
   std::int64_t first = 0;  // first realization
+
+  Scheme scheme() const { return parts.front().scene.accuracy.scheme; }
 };
 
 /// Called with the results of one realization: the velocities of the first case, of the second, ...
+/// of the first part, of the second, ...
 using TakeRealization = std::function<void(std::span<const SteadyResult> results)>;
 
 /// Called on the calling thread between realizations, when all of `done` have been taken.
@@ -60,11 +61,6 @@ using BatchDone = std::function<void(std::int64_t done)>;
 
 /// Slides `count` realizations from the first. threads: 0 means as many as the machine has. Returns
 /// false where `stop` was requested; the realizations taken by then are the first ones of all.
-bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
-                       const std::stop_token& stop, const TakeRealization& take,
-                       const BatchDone& batchDone = {});
-
-/// Does the same for several parts, whose results follow one another.
 bool slideRealizations(const RealizationWork& work, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone = {});

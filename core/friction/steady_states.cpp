@@ -288,8 +288,7 @@ class States {
     const Pieces pieces(lines.groups);
     const std::int64_t total = source.lines();
     std::vector<CurveAverages> averages(lines.members, CurveAverages(source.orderedRows()));
-    const RealizationWork work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
-                               0};
+    const RealizationWork work{source, pieces.parts()};
     for (const Group& group : lines.groups)
       for (const Member& member : group.members)
         found.orderedRows[member.state] = source.orderedRows();

@@ -44,7 +44,7 @@ double kernelSeconds(const ParameterStudy& study, std::int64_t number) {
     parts.push_back({study.base, all.subspan(i, std::min(rows, cases.size() - i)),
                      isTable && cases.size() > 1, true});
   double sum = 0;
-  const RealizationWork work{source, study.base.accuracy.scheme, parts, 0};
+  const RealizationWork work{source, parts};
   slideRealizations(work, 1, 1, {}, [&](std::span<const SteadyResult> results) {
     for (const SteadyResult& result : results) sum += result.mu;
   });

@@ -27,7 +27,8 @@ std::vector<std::vector<double>> frictionOfLines(const Scene& scene) {
   const LineSource source(scene, scene.accuracy.oversampling);
   const LoadCase sweep{scene.load, sweepVelocities(scene.sweep)};
   std::vector<std::vector<double>> rows;
-  slideRealizations({scene, source, {&sweep, 1}, 0}, scene.ensemble.realizations, 0, {},
+  const RealizationPart part{scene, {&sweep, 1}};
+  slideRealizations({source, {&part, 1}}, scene.ensemble.realizations, 0, {},
                     [&](std::span<const SteadyResult> results) {
                       for (rows.emplace_back(); const SteadyResult& result : results)
                         rows.back().push_back(result.mu);
