@@ -128,25 +128,20 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
 
 LawColumns::LawColumns(const Scene& scene, const LineProperties& lines)
     : scene_(scene),
+      lines_(lines),
       excitation_(lines.waves && measuredFrequencies(scene.elastomer)
                       ? std::make_shared<const Excitation>(scene.elastomer, lines.waves)
                       : nullptr),
-      rmsHeight_(lines.rmsHeight),
-      length_(lines.length),
-      rmsSlope_(lines.rmsSlope),
       hasLaw_(scene.surface.kind == SurfaceKind::SelfAffine),
       hasArms_(needsStage(scene, Purpose::Curve, Stage::Arms)),
-      hasInterface_(needsStage(scene, Purpose::Curve, Stage::Interface)),
-      slopesDiffer_(lines.slopesDiffer),
-      hasRows_(lines.hasRows),
-      notes_(lines.notes) {
-  notes_.add(elastomerNotes(scene.elastomer, lines.rmsSlope, kNotApplicable));
+      hasInterface_(needsStage(scene, Purpose::Curve, Stage::Interface)) {
+  lines_.notes.add(elastomerNotes(scene.elastomer, lines.rmsSlope, kNotApplicable));
 }
 
 /// Returns the mean of the lines' own ratios, for a mean `mu` that may include other lines.
 double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   const double sampled = averages.mu.mean();
-  if (!slopesDiffer_ || !(sampled > 0)) return mu / rmsSlope_;
+  if (!lines_.slopesDiffer || !(sampled > 0)) return mu / lines_.rmsSlope;
   return mu * (averages.normalizedMu.mean() / sampled);
 }
 
@@ -154,13 +149,13 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
 void LawColumns::addForces(CurvePoint& point, const CurveAverages& averages) const {
   const bool isIndentationPrescribed = scene_.load.kind == LoadKind::Indentation;
   point.forceOnPeriod = isIndentationPrescribed ? averages.normalForce.mean()
-                                                : loadOn(scene_.load, length_).normalForce;
+                                                : loadOn(scene_.load, lines_.length).normalForce;
   point.tangentialForce =
       isIndentationPrescribed ? averages.tangentialForce.mean() : point.mu * point.forceOnPeriod;
   point.power = point.tangentialForce * point.velocity;
-  const double width = contactWidth(scene_.load, length_);
+  const double width = contactWidth(scene_.load, lines_.length);
   if (std::isgreater(point.contactFraction, 0))
-    point.contactPressure = point.forceOnPeriod / (point.contactFraction * length_ * width);
+    point.contactPressure = point.forceOnPeriod / (point.contactFraction * lines_.length * width);
 }
 
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
@@ -174,28 +169,26 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   const Accuracy& accuracy = scene_.accuracy;
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
-  point.notes.add(notes_);
+  point.notes.add(lines_.notes);
   point.listsContacts = listsContacts(scene_);
   // Only a rough line has many summits, of which few may carry the load.
   point.notes.add(Note::FewContacts, isRough(scene_.surface) &&
                                          areContactsFew(point.contactSpots, point.contactFraction));
   point.notes.add(Note::FewIndependentRows,
-                  hasRows_ && averages.mu.count() > 1 &&
+                  lines_.hasRows && averages.mu.count() > 1 &&
                       averages.mu.error().degreesOfFreedom < kFewDegreesOfFreedom);
   addForces(point, averages);
   if (scene_.load.kind == LoadKind::Pressure) {
-    point.normalForce = loadOn(scene_.load, length_).normalForce;
+    point.normalForce = point.forceOnPeriod;
     point.nominalPressure = scene_.load.nominalPressure;
     if (point.contactFraction > 0)
       point.meanPressure = point.nominalPressure / point.contactFraction;
   }
-  if (!(rmsHeight_ > 0)) return;
-  const double force = scene_.load.kind == LoadKind::Indentation
-                           ? averages.normalForce.mean()
-                           : loadOn(scene_.load, length_).normalForce;
-  const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : rmsSlope_;
-  const LawInput in = lawInput(elementLaw(scene_.elastomer), {rmsHeight_, slope}, length_,
-                               scene_.surface.hurst, force, point.velocity);
+  if (!(lines_.rmsHeight > 0)) return;
+  const double slope = lines_.slopesDiffer ? averages.rmsSlope.mean() : lines_.rmsSlope;
+  const LawInput in =
+      lawInput(elementLaw(scene_.elastomer), {lines_.rmsHeight, slope}, lines_.length,
+               scene_.surface.hurst, point.forceOnPeriod, point.velocity);
   point.normalizedMu = normalized(point.mu, averages);
   point.dimensionlessForce = dimensionlessForce(in);
   if (hasArms_) return;  // Eqs. (5) to (14) have one relaxation time

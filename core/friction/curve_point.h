@@ -149,13 +149,9 @@ class LawColumns {
   void addForces(CurvePoint& point, const CurveAverages& averages) const;
 
   Scene scene_;
+  LineProperties lines_;                          // with the notes on the elastomer as well
   std::shared_ptr<const Excitation> excitation_;  // null where nothing is known to be measured
-  double rmsHeight_, length_;                     // m, of the lines
-  double rmsSlope_;
   bool hasLaw_, hasArms_, hasInterface_;
-  bool slopesDiffer_;  // from line to line
-  bool hasRows_;       // lines are rows of a topography
-  NoteSet notes_;      // of the lines
 };
 
 }  // namespace asperity
