@@ -1,4 +1,5 @@
-// Means, medians and quantiles of a few numbers, and Student's distribution. Pure; any thread.
+// Numbers with errors, and numbers that are not known; means, medians and quantiles of a few
+// numbers, and Student's distribution. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,15 @@
 #include <vector>
 
 namespace asperity {
+
+/// A number that is not known, or does not apply.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A number with its standard error; NaN where it is not known.
+struct Estimate {
+  double value = kNaN;
+  double standardError = kNaN;
+};
 
 /// Returns the arithmetic mean; NaN of no values.
 inline double mean(std::span<const double> values) {
@@ -37,7 +47,7 @@ inline double upperMedian(std::vector<double> values) {
 
 /// Returns the root mean square; NaN of no values.
 inline double rms(std::span<const double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return kNaN;
   double squares = 0;
   for (const double value : values) squares += value * value;
   return std::sqrt(squares / static_cast<double>(values.size()));

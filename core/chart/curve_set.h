@@ -4,12 +4,12 @@
 // measured friction. Any thread; pure but for reading tables.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/chart/diagram.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_difference.h"
@@ -29,8 +29,8 @@ enum class CurveAxes {
 /// Factors from a curve's velocities and frictions to the values on the axes; NaN where there are
 /// none (with more than one relaxation time there is no dimensionless velocity).
 struct AxesFactors {
-  double velocity = std::numeric_limits<double>::quiet_NaN();
-  double friction = std::numeric_limits<double>::quiet_NaN();
+  double velocity = kNaN;
+  double friction = kNaN;
 };
 AxesFactors axesFactors(std::span<const CurvePoint> points, CurveAxes axes);
 
@@ -38,10 +38,9 @@ struct NamedCurve {
   Message name;  // "G = 20 MPa": the difference from the present curve, which has no name
   Scene scene;
   std::vector<CurvePoint> points;
-  int index = 0;  // among the pinned curves, from 0; it determines colour and mark
-  int id = 1;     // of its series in a diagram; above 0 for pinned curves
-  double familyValue =
-      std::numeric_limits<double>::quiet_NaN();  // of CurveSet::familyKey; NaN: not of the family
+  int index = 0;              // among the pinned curves, from 0; it determines colour and mark
+  int id = 1;                 // of its series in a diagram; above 0 for pinned curves
+  double familyValue = kNaN;  // of CurveSet::familyKey; NaN: not of the family
 };
 
 /// A theory beside the present curve, sampled finely over the axis.

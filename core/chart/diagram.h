@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/statistics.h"
 
 namespace asperity {
 
@@ -30,7 +30,7 @@ inline constexpr std::array<std::pair<std::string_view, AxisScale>, 2> kAxisScal
 /// the axis cannot show it.
 inline double axisPosition(AxisScale scale, double value) {
   const bool isShown = std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
-  if (!isShown) return std::numeric_limits<double>::quiet_NaN();
+  if (!isShown) return kNaN;
   return scale == AxisScale::Linear ? value : std::log10(value);
 }
 /// Returns whether a value lies below every position of a logarithmic axis. A line through its
@@ -57,9 +57,9 @@ struct DiagramAxis {
 /// is not drawn and interrupts the line, unless its y is below the axis.
 struct DiagramPoint {
   double x = 0, y = 0;
-  double low = std::numeric_limits<double>::quiet_NaN();   // of the error bar or band; NaN: none
-  double high = std::numeric_limits<double>::quiet_NaN();  // the same
-  int row = -1;  // row of the table with the point's values; -1: none
+  double low = kNaN;   // of the error bar or band; NaN: none
+  double high = kNaN;  // the same
+  int row = -1;        // row of the table with the point's values; -1: none
 
   bool operator==(const DiagramPoint&) const = default;
 };
@@ -81,7 +81,7 @@ struct DiagramSeries {
   bool isTheory = false;  // in the colour of text, thinner, under the data
   int colour = -1;        // index in the palette of distinct colours; -1: the next one
   /// Position on the colour ramp, 0 to 1, instead of a distinct colour; NaN: not on the ramp.
-  double ramp = std::numeric_limits<double>::quiet_NaN();
+  double ramp = kNaN;
   std::vector<DiagramPoint> points{};
   int id = -1;                         // identifies the series under the pointer; -1: none
   bool isFaded = false;                // belongs to an earlier state
@@ -108,7 +108,7 @@ struct DiagramMarker {
   Message name{};   // for the legend
   Message label{};  // beside the line: "v = 1 m/s"
   double x = 0;
-  double y = std::numeric_limits<double>::quiet_NaN();
+  double y = kNaN;
   bool isFixed = false;               // moves by itself and cannot be dragged
   bool isFaded = false;               // belongs to an earlier state
   std::vector<DiagramPoint> trace{};  // its earlier states; one without a position interrupts it
@@ -119,8 +119,8 @@ struct DiagramMarker {
 struct DiagramLabel {
   Message text{};
   double x = 0, y = 0;
-  double arrowX = std::numeric_limits<double>::quiet_NaN();
-  double arrowY = std::numeric_limits<double>::quiet_NaN();
+  double arrowX = kNaN;
+  double arrowY = kNaN;
 };
 
 /// The meaning of a colour ramp; it replaces the legend entries of its series.
@@ -148,7 +148,7 @@ struct DiagramField {
 struct DiagramBar {
   Message name{};
   double value = 0;
-  double error = std::numeric_limits<double>::quiet_NaN();  // to each side of its end; NaN: none
+  double error = kNaN;  // to each side of its end; NaN: none
 
   /// Returns whether the value is larger than its error; true where the error is unknown.
   bool isSignificant() const { return !std::isfinite(error) || std::abs(value) > error; }

@@ -130,8 +130,8 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
     // The step belongs to the waves between its two cut-offs.
     const double middle = std::sqrt(points[i - 1].wavelength * points[i].wavelength);
     const Estimate& part = points[i].shareOfDecade;
-    shares.points.push_back({middle, part.value, part.value - part.standardError,
-                             part.value + part.standardError, static_cast<int>(i)});
+    shares.points.push_back(
+        pointWithError(middle, part.value, part.standardError, static_cast<int>(i)));
     zero.points.push_back({middle, 0});
   }
   friction.series = {std::move(mu)};

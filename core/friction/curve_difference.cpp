@@ -77,8 +77,8 @@ double PairedMeans::errorOfRows(double ratio) const {
 
 /// With n pairs, N_a and N_b lines of each and ratio R, mean_b - R mean_a is a sum of independent
 /// terms: one for each pair (b / N_b - R a / N_a), and one for each line that only one side has.
-PairedMeans::Ratio PairedMeans::ratio() const {
-  Ratio ratio{meanB() / meanA(), kNotApplicable};
+Estimate PairedMeans::ratio() const {
+  Estimate ratio{meanB() / meanA(), kNotApplicable};
   const auto count = [](const RunningMean& mean) { return static_cast<double>(mean.count()); };
   const double n = count(a_), onlyA = count(onlyA_), onlyB = count(onlyB_);
   if (n < 2 || !std::isfinite(ratio.value)) return ratio;
@@ -141,7 +141,7 @@ CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
     difference.done = own.done() + other.done();
     difference.points.clear();
     for (std::size_t i = 0; i < means.size(); ++i) {
-      const PairedMeans::Ratio ratio = means[i].ratio();
+      const Estimate ratio = means[i].ratio();
       difference.points.push_back({velocities[i], means[i].meanB(), means[i].standardErrorB(),
                                    ratio.value - 1, ratio.standardError});
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/statistics.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/scene.h"
 
@@ -79,11 +80,8 @@ class PairedMeans {
     if (orderedRowsOfB_ > 0) rowsOfB_.push_back(b);
   }
 
-  struct Ratio {
-    double value = kNotApplicable;          // mean b / mean a
-    double standardError = kNotApplicable;  // needs two pairs
-  };
-  Ratio ratio() const;
+  /// Returns mean b / mean a. Its standard error needs two pairs.
+  Estimate ratio() const;
   double meanA() const { return both(a_, onlyA_).mean(); }
   double meanB() const { return both(b_, onlyB_).mean(); }
   double standardErrorB() const {

@@ -25,7 +25,7 @@ double crossing(std::span<const double> velocities, std::size_t from, double lev
     if ((a < 0) != (b < 0))
       return velocities[i] * std::pow(velocities[i + 1] / velocities[i], a / (a - b));
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return kNaN;
 }
 
 std::size_t highest(std::span<const double> values) {

@@ -5,13 +5,13 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/statistics.h"
 #include "core/friction/line_mean.h"
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
@@ -24,7 +24,7 @@ struct WaveBand;
 struct SteadyResult;
 
 /// Not applicable: empty in CSV, null in JSON, not drawn.
-inline constexpr double kNotApplicable = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kNotApplicable = kNaN;
 
 /// One row of a friction curve. The columns of its tables are in core/friction/curve_file.cpp.
 struct CurvePoint {

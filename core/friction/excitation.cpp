@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "core/base/intervals.h"
+#include "core/base/statistics.h"
 #include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -105,8 +105,7 @@ std::optional<ExcitedBand> Excitation::band(double velocity) const {
 }
 
 double Excitation::shareNotMeasured(double velocity) const {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  if (!measured_) return kUnknown;
+  if (!measured_) return kNaN;
   double total = 0, outside = 0;
   for (const WaveBand& band : *waves_) {
     const double weight = band.strength * complexModulus(law_, band.waveNumber * velocity).loss;
@@ -114,7 +113,7 @@ double Excitation::shareNotMeasured(double velocity) const {
     total += weight;
     if (frequency < measured_->from || frequency > measured_->to) outside += weight;
   }
-  return total > 0 && std::isfinite(total) ? outside / total : kUnknown;
+  return total > 0 && std::isfinite(total) ? outside / total : kNaN;
 }
 
 std::vector<Excitation::Weight> Excitation::weights(double velocity) const {

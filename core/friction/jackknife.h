@@ -13,6 +13,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_point.h"
@@ -22,12 +23,6 @@
 #include "core/surface/line_source.h"
 
 namespace asperity {
-
-/// A number with its standard error.
-struct Estimate {
-  double value = kNotApplicable;
-  double standardError = kNotApplicable;  // needs two realizations
-};
 
 struct GroupedMeansOptions {
   int threads = 0;
@@ -110,10 +105,10 @@ class GroupedMeans {
 };
 
 /// Returns a number derived from one or more GroupedMeans of the same realizations, with its
-/// standard error. groups: GroupedMeans::groups(). `read` gets the group to leave out, or
-/// GroupedMeans::kAll. orderedRows: where each group is one line, LineSource::orderedRows(); the
-/// error of rows is that of the mean of their pseudo-values, groups * value of all - (groups - 1) *
-/// value without one (Miller, Biometrika 61, 1, 1974).
+/// standard error, which needs two groups. groups: GroupedMeans::groups(). `read` gets the group to
+/// leave out, or GroupedMeans::kAll. orderedRows: where each group is one line,
+/// LineSource::orderedRows(); the error of rows is that of the mean of their pseudo-values, groups
+/// * value of all - (groups - 1) * value without one (Miller, Biometrika 61, 1, 1974).
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read,
                    std::int64_t orderedRows = 0);
 

@@ -5,9 +5,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
+
+#include "core/base/statistics.h"
 
 namespace asperity {
 
@@ -30,24 +31,21 @@ class RunningMean {
     mean_ += step * part;
     count_ = all;
   }
-  double mean() const { return count_ > 0 ? mean_ : kNone; }
+  double mean() const { return count_ > 0 ? mean_ : kNaN; }
   /// Returns the variance of one number, with n - 1; needs two.
-  double variance() const {
-    return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : kNone;
-  }
+  double variance() const { return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : kNaN; }
   /// Returns the standard error of the mean of independent numbers; needs two.
   double standardError() const { return std::sqrt(variance() / static_cast<double>(count_)); }
   std::int64_t count() const { return count_; }
 
  private:
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::int64_t count_ = 0;
   double mean_ = 0, squares_ = 0;
 };
 
 /// The standard error of a mean, and its degrees of freedom: n - 1 for n independent numbers.
 struct MeanError {
-  double standardError = std::numeric_limits<double>::quiet_NaN();
+  double standardError = kNaN;
   double degreesOfFreedom = 0;
 };
 

@@ -8,12 +8,12 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/friction/ensemble.h"
 #include "core/lesson/lesson.h"
 
@@ -21,7 +21,7 @@ namespace asperity {
 
 /// A computed number in its SI unit; a ratio and an exponent have none.
 struct LessonNumber {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = kNaN;
   std::string unit{};
 
   bool operator==(const LessonNumber&) const = default;
@@ -40,8 +40,8 @@ struct LessonAnswer {
 /// The answer of a student.
 struct GivenAnswer {
   int choice = -1;
-  double number = std::numeric_limits<double>::quiet_NaN();  // SI; height of a point
-  double x = std::numeric_limits<double>::quiet_NaN();       // of a point
+  double number = kNaN;  // SI; height of a point
+  double x = kNaN;       // of a point
 
   bool isGiven() const;
 };

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
 #include "core/base/text_header.h"
@@ -22,8 +22,7 @@ namespace {
 void dropOverflows(TextBlock& block) {
   constexpr double kOverflow = 9.9e30;
   for (double& value : block.values)
-    if (std::isgreaterequal(std::abs(value), kOverflow))
-      value = std::numeric_limits<double>::quiet_NaN();
+    if (std::isgreaterequal(std::abs(value), kOverflow)) value = kNaN;
 }
 
 bool isComplex(const TextCell& cell) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_header.h"
@@ -141,9 +142,9 @@ std::vector<double> rowsInSi(const TextColumn& first, const TextBlock& block) {
   std::vector<double> rows = block.column(0);
   for (double& row : rows)
     if (meaning.quantity == Temperature)
-      row = kelvins ? kelvins->toSi(row) : std::nan("");
+      row = kelvins ? kelvins->toSi(row) : kNaN;
     else
-      row *= hertz.value_or(std::nan(""));
+      row *= hertz.value_or(kNaN);
   return rows;
 }
 

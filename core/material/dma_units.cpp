@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "core/base/input_error.h"
@@ -220,7 +219,7 @@ TemperatureColumn temperatureColumn(const DmaBlock& in, std::size_t column) {
 
 double strainAt(const DmaBlock& in, std::size_t row, std::size_t column) {
   const double value = in.block.at(row, column);
-  if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(value) || value <= 0) return kNaN;
   const TextColumn& strain = in.block.columns[column];
   const bool isPercent = strain.unit.empty() && lowerCase(strain.name).ends_with("pct");
   const auto unit = strainUnit(isPercent ? "%" : strain.unit);

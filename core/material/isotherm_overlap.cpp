@@ -129,7 +129,6 @@ bool OverlapNoise::areSignificant(const std::vector<double>& deviations) const {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kScanStep = 0.01;      // decades
 constexpr double kMinOverlap = 0.15;    // decades that two isotherms must have in common, or a
 constexpr double kMinPart = 0.25;       // quarter of the shorter one
@@ -258,11 +257,11 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   const auto fitted = fittedShift(colder, warmer, *start, expected, ShiftModuli::Both);
   NeighbourShifts found;
   Overlap& both = found.both;
-  const FittedShifts common = fitted.value_or(FittedShifts{{*start, kNaN}, {0, kNaN}});
+  const FittedShifts common = fitted.value_or(FittedShifts{{*start}, {0}});
   both.log10Shift = common.horizontal.value;
-  both.standardError = common.horizontal.error;
+  both.standardError = common.horizontal.standardError;
   both.log10Vertical = common.vertical.value;
-  both.verticalError = common.vertical.error;
+  both.verticalError = common.vertical.standardError;
   both.ofEntropy = common.ofExpected;
   found.residuals = common.residuals;
   const double ofVertical = common.residuals.verticalError;
@@ -276,7 +275,7 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
     for (double& value : *values) value -= both.log10Vertical;
   const auto alone = [&](ShiftModuli moduli) {
     const auto one = fittedShift(level, warmer, both.log10Shift, {}, moduli);
-    return one ? one->horizontal : ShiftEstimate{kNaN, kNaN};
+    return one ? one->horizontal : Estimate{};
   };
   found.storage = alone(ShiftModuli::Storage);
   found.loss = alone(ShiftModuli::Loss);

@@ -5,24 +5,18 @@
 // gives equal bits.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/material/isotherms.h"
 
 namespace asperity {
 
-/// A shift by least squares.
-struct ShiftEstimate {
-  double value = 0;                                         // decades
-  double error = std::numeric_limits<double>::quiet_NaN();  // decades, standard error
-};
-
 /// One more unknown of the overlap of two isotherms, by least squares beside those of the shift.
 /// Its value is linear in the logarithms of the moduli, so that its variance is a sum over them.
 struct Contrast {
-  double value = std::numeric_limits<double>::quiet_NaN();  // decades; NaN: not determined
+  double value = kNaN;                   // decades; NaN: not determined
   double storageGain = 0, lossGain = 0;  // its variance per variance of one value of the modulus
   double shiftChange = 0;                // decades, by which log10 a_T changes with this unknown
   double explained = 0;                  // decades^2, by which the squares of the residuals fall
@@ -36,7 +30,7 @@ struct OverlapResiduals {
   /// Standard error of log10 b_T from the moduli alone, decades: infinite where both are power laws
   /// of one exponent within their noise, so that a vertical shift is a horizontal one. NaN: there
   /// are no residuals to tell.
-  double verticalError = std::numeric_limits<double>::quiet_NaN();
+  double verticalError = kNaN;
   double squares = 0;           // decades^2, of the fit without these unknowns
   double values = 0;            // number of moduli
   double degreesOfFreedom = 0;  // number of its values beyond that of its unknowns
@@ -107,7 +101,7 @@ struct Overlap {
 /// is NaN.
 struct NeighbourShifts {
   Overlap both;
-  ShiftEstimate storage, loss;
+  Estimate storage, loss;        // decades
   OverlapResiduals residuals{};  // of the fit of both
 };
 

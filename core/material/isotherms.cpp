@@ -203,7 +203,7 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
     });
     return upperMedian(*nearest);
   }
-  if (groups.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (groups.empty()) return kNaN;
   if (groups.size() > 1 && areMixed(rows, groups, tolerance))
     throw InputError(name, "strain",
                      message("differs between sweeps at one temperature, and so do the moduli "

@@ -4,13 +4,13 @@
 // thread.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/statistics.h"
 
 namespace asperity {
 
@@ -47,7 +47,7 @@ struct Isotherm {
 struct MeasuredModulus {
   double temperature = 293.15;  // K
   DynamicModulus modulus{};
-  double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // NaN: not stated
+  double strainAmplitude = kNaN;  // NaN: not stated
 };
 
 /// Frequencies with a smaller relative difference count as one.

@@ -23,15 +23,15 @@ class Accumulated {
 
   /// steps[i]: from isotherm i to the next warmer one. Errors are those of the steps between the
   /// reference and the isotherm; a step that contains the reference counts with its part.
-  std::vector<ShiftEstimate> from(const std::vector<ShiftEstimate>& steps) const {
-    std::vector<ShiftEstimate> sums(isotherms_.size());
+  std::vector<Estimate> from(const std::vector<Estimate>& steps) const {
+    std::vector<Estimate> sums(isotherms_.size());
     for (std::size_t i = 0; i < isotherms_.size(); ++i) {
       double value = 0, variance = 0;
       for (std::size_t k = 0; k < steps.size(); ++k) {
         const double part = partBetween(k, isotherms_[i].temperature);
         if (part == 0) continue;
         value += part * steps[k].value;
-        variance += part * part * steps[k].error * steps[k].error;
+        variance += part * part * steps[k].standardError * steps[k].standardError;
       }
       sums[i] = {value, std::sqrt(variance)};
     }
@@ -56,8 +56,8 @@ class Accumulated {
 /// linear in T, which is exact at an isotherm. Where a formula fits all shifts, the reference is
 /// moved to its value, which is exact for a formula that holds.
 void moveReference(std::span<const Isotherm> isotherms, double reference,
-                   std::vector<ShiftEstimate>& both, std::vector<ShiftEstimate>& storage,
-                   std::vector<ShiftEstimate>& loss) {
+                   std::vector<Estimate>& both, std::vector<Estimate>& storage,
+                   std::vector<Estimate>& loss) {
   std::vector<ShiftPoint> table;
   for (std::size_t i = 0; i < isotherms.size(); ++i) {
     if (std::abs(isotherms[i].temperature - reference) <= kIsothermTolerance) return;
@@ -66,9 +66,9 @@ void moveReference(std::span<const Isotherm> isotherms, double reference,
   const auto law = interpolatingFormula(table, reference);
   if (!law) return;
   for (auto* estimates : {&both, &storage, &loss})
-    for (ShiftEstimate& estimate : *estimates) {
+    for (Estimate& estimate : *estimates) {
       estimate.value -= law->offset;
-      estimate.error = std::hypot(estimate.error, law->rms);
+      estimate.standardError = std::hypot(estimate.standardError, law->rms);
     }
 }
 
@@ -93,14 +93,14 @@ void compareModuli(const OverlapNoise& noise, const Accumulated& sums,
   constexpr double kClear = 2;  // standard errors
   const std::vector<double> deviations = noise.deviations(&OverlapResiduals::difference);
   if (!noise.areSignificant(deviations)) return;
-  std::vector<ShiftEstimate> differences;
+  std::vector<Estimate> differences;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double difference = steps[i].loss.value - steps[i].storage.value;
     const bool isClear = std::abs(deviations[i]) > kClear && std::isfinite(difference);
     differences.push_back({isClear ? difference : 0, 0});
     curve.largestStep = std::max(curve.largestStep, std::abs(differences.back().value));
   }
-  for (const ShiftEstimate& sum : sums.from(differences))
+  for (const Estimate& sum : sums.from(differences))
     curve.largestDifference = std::max(curve.largestDifference, std::abs(sum.value));
   if (std::max(curve.largestStep, curve.largestDifference) > kSimpleDifference)
     curve.isThermorheologicallySimple = false;
@@ -108,10 +108,10 @@ void compareModuli(const OverlapNoise& noise, const Accumulated& sums,
 
 /// Finds out what vertical shifts would change. Returns the changes of the steps; they are no
 /// noise, and errors of the same sign add up from one isotherm to the next.
-std::vector<ShiftEstimate> considerVertical(const OverlapNoise& noise,
-                                            const std::vector<NeighbourShifts>& steps,
-                                            VerticalEvidence& evidence) {
-  std::vector<ShiftEstimate> changes(steps.size(), ShiftEstimate{0, 0});
+std::vector<Estimate> considerVertical(const OverlapNoise& noise,
+                                       const std::vector<NeighbourShifts>& steps,
+                                       VerticalEvidence& evidence) {
+  std::vector<Estimate> changes(steps.size(), Estimate{0, 0});
   const std::vector<double> deviations = noise.deviations(&OverlapResiduals::vertical);
   evidence.isSignificant = noise.areSignificant(deviations);
   if (!evidence.isSignificant) return changes;
@@ -150,7 +150,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   curve.referenceTemperature = referenceTemperature;
   std::vector<NeighbourShifts> steps;
   std::vector<OverlapResiduals> residuals;
-  std::vector<ShiftEstimate> both, vertical, storage, loss, ofEntropy;
+  std::vector<Estimate> both, vertical, storage, loss, ofEntropy;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
     throwIfStopped(stop);
     const NeighbourShifts& step =
@@ -165,7 +165,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   }
   const OverlapNoise misfit(residuals, OverlapNoise::Of::Misfit);
   const OverlapNoise noise(residuals, OverlapNoise::Of::Noise);
-  for (ShiftEstimate& step : both) step.error *= std::sqrt(misfit.correlation());
+  for (Estimate& step : both) step.standardError *= std::sqrt(misfit.correlation());
   const Accumulated sums(isotherms, referenceTemperature);
   auto horizontal = sums.from(both), ofStorage = sums.from(storage), ofLoss = sums.from(loss);
   const auto up = sums.from(vertical);
@@ -178,7 +178,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
     const double systematic = std::hypot(change, assumed[i].value);
     curve.vertical.largestChange = std::max(curve.vertical.largestChange, change);
     curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value,
-                            std::hypot(horizontal[i].error, systematic), up[i].value,
+                            std::hypot(horizontal[i].standardError, systematic), up[i].value,
                             ofStorage[i].value, ofLoss[i].value});
   }
   addPoints(isotherms, curve);

@@ -4,7 +4,6 @@
 // Pure; any thread; equal bytes and choices give the same material to the last bit.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/material/dma_file.h"
 #include "core/material/elastomer.h"
 #include "core/material/isotherms.h"
@@ -29,13 +29,13 @@ struct MaterialChoices {
   double temperatureTolerance = kIsothermTolerance;  // K, within which rows are one isotherm
   std::vector<double> leftOut{};                     // K, isotherms that are not used
   std::optional<double> strainAmplitude{};           // of a file with several; 0.01 is 1 %
-  double referenceTemperature = std::numeric_limits<double>::quiet_NaN();  // K; NaN: usualReference
+  double referenceTemperature = kNaN;                // K; NaN: usualReference
   bool isVertical = false;
   PronyOptions series{};
-  double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, of relative series
-  std::optional<ShiftKind> shift{};  // none: the formula that is good enough, or else the table
-  std::string name{};                // of the material; empty: that of the file
-  std::string source{};              // a sentence: where the measurements come from
+  double instantaneousModulus = kNaN;  // Pa, of relative series
+  std::optional<ShiftKind> shift{};    // none: the formula that is good enough, or else the table
+  std::string name{};                  // of the material; empty: that of the file
+  std::string source{};                // a sentence: where the measurements come from
   std::vector<std::pair<std::string, std::string>> options{};  // as written, for the origin
   std::stop_token stop{};                                      // of the fits
 };
@@ -55,7 +55,7 @@ struct Material {
   MasterCurve curve;
   TemperatureFit wlf, arrhenius;
   DmaFacts facts;
-  double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // median; NaN: not stated
+  double strainAmplitude = kNaN;  // median; NaN: not stated
   // whether vertical shifts would explain what neighbours differ by, and leave a simple material
   bool isExplainedByVertical = false;
   std::vector<Message> strays;  // points that their neighbours contradict, the worst first

@@ -262,14 +262,14 @@ class WindowFit {
     // The moduli alone, without the row of the expected vertical shift, say how much they deviate.
     deviation_ = std::sqrt(misfit.head(moduliCount() * rows_).squaredNorm() / std::max(1.0, left));
     FittedShifts found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
-    if (!isVertical_) found.vertical.error = 0;
+    if (!isVertical_) found.vertical.standardError = 0;
     if (left < 1) return found;
     const Eigen::MatrixXd inverse = normalInverse(system_);
     const Eigen::MatrixXd covariance = inverse * (squares / left);
     const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
-    found.horizontal.error = errorOf(system_.cols() - 1);
+    found.horizontal.standardError = errorOf(system_.cols() - 1);
     if (isVertical_) {
-      found.vertical.error = errorOf(system_.cols() - 2);
+      found.vertical.standardError = errorOf(system_.cols() - 2);
       const Eigen::Index last = system_.rows() - 1;
       found.ofExpected =
           (inverse * system_.row(last).transpose())[system_.cols() - 1] * data_[last];

@@ -28,7 +28,7 @@ enum class ShiftModuli { Both, Storage, Loss };
 
 /// The shifts that bring two isotherms together.
 struct FittedShifts {
-  ShiftEstimate horizontal, vertical;
+  Estimate horizontal, vertical;  // decades
   double ofExpected = 0;  // decades, part of the horizontal shift that the expected vertical makes
   OverlapResiduals residuals{};  // of both moduli
 };

@@ -6,13 +6,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/statistics.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 #include "core/material/elastomer.h"
@@ -22,10 +22,10 @@ namespace asperity {
 
 /// What a user states about a file; NaN and empty values leave it to the file.
 struct PronyChoices {
-  double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, shear
-  double equilibriumModulus = std::numeric_limits<double>::quiet_NaN();    // Pa, shear
-  std::string modulusUnit;        // of a file whose moduli have none
-  std::string temperatureUnit{};  // of the reference temperature of keywords and commands
+  double instantaneousModulus = kNaN;  // Pa, shear
+  double equilibriumModulus = kNaN;    // Pa, shear
+  std::string modulusUnit;             // of a file whose moduli have none
+  std::string temperatureUnit{};       // of the reference temperature of keywords and commands
   ModulusKind modulus = ModulusKind::Unknown;
   double poissonRatio = 0.5;
   bool isLiquid = false;  // whether there may be no equilibrium modulus
@@ -43,7 +43,7 @@ struct PronyChoices {
 /// A Prony series as a file states it, before its modulus is known: parts of a modulus, or moduli,
 /// and one modulus. prony_table.h and prony_keywords.h read it.
 struct RawSeries {
-  static constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kNotStated = kNaN;
   struct Term {
     double weight = 0, time = 0;
     std::size_t line = 0;

@@ -3,11 +3,11 @@
 // with w = 2 pi f (Ferry, ch. 3). Pure functions; any thread.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/material/elastomer.h"
 #include "core/material/isotherms.h"
 
@@ -17,7 +17,7 @@ struct PronyOptions {
   int terms = 0;          // relaxation times; 0: as few as reach the residual floor
   bool isLiquid = false;  // whether there may be no equilibrium modulus
   /// Pa, where it is known from elsewhere; NaN: fitted.
-  double equilibriumModulus = std::numeric_limits<double>::quiet_NaN();
+  double equilibriumModulus = kNaN;
   std::stop_token stop{};  // checked between two numbers of terms
 };
 

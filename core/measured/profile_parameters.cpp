@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/intervals.h"
+#include "core/base/statistics.h"
 #include "core/measured/processing.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-
 /// Returns the difference of the highest and the lowest measured height; NaN where there is none.
 double heightRange(std::span<const double> heights) {
   const Extent extent = extentOf(heights);
-  return extent.isEmpty() ? kUndefined : extent.size();
+  return extent.isEmpty() ? kNaN : extent.size();
 }
 
 double meanRange(std::span<const double> heights, std::size_t section) {
@@ -47,7 +45,7 @@ double sevenPointRmsSlope(std::span<const double> heights, double spacing) {
     sum += step * step;
     ++count;
   }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / spacing : kUndefined;
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / spacing : kNaN;
 }
 
 }  // namespace
@@ -71,8 +69,8 @@ ProfileParameters profileParameters(std::span<const double> heights, double spac
   values.pa = absolute / count;
   values.pq = std::sqrt(square / count);
   const double pq = values.pq;
-  values.psk = pq > 0 ? cube / count / (pq * pq * pq) : kUndefined;
-  values.pku = pq > 0 ? fourth / count / (pq * pq * pq * pq) : kUndefined;
+  values.psk = pq > 0 ? cube / count / (pq * pq * pq) : kNaN;
+  values.pku = pq > 0 ? fourth / count / (pq * pq * pq * pq) : kNaN;
   values.pt = heightRange(heights);
   const double section = std::floor(sectionLength / spacing * (1 + 1e-9));
   values.pz = section >= 2 && section < static_cast<double>(heights.size())

@@ -70,7 +70,6 @@ class SmdReader {
     requireSize(source_, points, 1, firstLine_.size() + reader_.left() + 2, 2);
     readNumbers(static_cast<std::size_t>(points));
     SurfaceDraft draft;
-    draft.facts.format = "smd";
     draft.grid.rows = 1;
     draft.grid.columns = points;
     draft.positionUnit = statedUnit(source_, "CX", x_.unit);
@@ -152,7 +151,7 @@ class SmdReader {
 
   double heightOf(double number) const {
     const double height = number * z_.scale;
-    return std::isfinite(height) ? height : std::nan("");
+    return std::isfinite(height) ? height : kMissingHeight;
   }
 
   void placeAtSteps(SurfaceDraft& draft) {

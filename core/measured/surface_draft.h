@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/base/input_error.h"
+#include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/base/text_table.h"
 #include "core/measured/measured_file.h"
@@ -69,8 +70,8 @@ struct SurfaceDraft {
 /// The numbers by which a file marks points that were not measured; one that is not finite is a gap
 /// in any case.
 struct HeightGaps {
-  double equal = std::numeric_limits<double>::quiet_NaN();  // this number
-  double from = std::numeric_limits<double>::infinity();    // this number and those above it
+  double equal = kNaN;                                    // this number
+  double from = std::numeric_limits<double>::infinity();  // this number and those above it
 
   bool contain(double number) const {
     return !std::isfinite(number) || number == equal || number >= from;

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
@@ -317,7 +318,7 @@ class RoleFinder {
   int firstHeights() const {
     const auto varies = [this](int column) {
       const auto number = static_cast<std::size_t>(column);
-      double first = std::nan("");
+      double first = kNaN;
       for (std::size_t row = 0; row < block_.rows; ++row) {
         const double value = block_.at(row, number);
         if (std::isnan(first)) first = value;

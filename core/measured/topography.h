@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
+
+#include "core/base/statistics.h"
 
 namespace asperity {
 
 /// The height where nothing was measured.
-inline constexpr double kMissingHeight = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kMissingHeight = kNaN;
 
 struct Topography {
   std::int64_t columns = 0;  // points of one profile along x

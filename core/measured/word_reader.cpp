@@ -46,7 +46,8 @@ void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t co
       source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
     const double number = parseHeight(source, reader, word, i, words.decimal);
     const double height = number * words.scale;
-    heights.push_back(words.gaps.contain(number) || !std::isfinite(height) ? std::nan("") : height);
+    heights.push_back(words.gaps.contain(number) || !std::isfinite(height) ? kMissingHeight
+                                                                           : height);
   }
 }
 

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/base/embedded_provenance.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/statistics.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -130,10 +130,9 @@ DataTable spectrumTable(const LineSource& source) {
 
 DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line) {
   const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   DataTable table{columnNames({"quantity", "unit", "value", "raw"}), {}};
   const auto add = [&](const char* name, const char* unit, TableCell value) {
-    table.rows.push_back({std::string(name), std::string(unit), std::move(value), kNone});
+    table.rows.push_back({std::string(name), std::string(unit), std::move(value), kNaN});
   };
   add("length", "m", line.length);
   add("points", "", static_cast<std::int64_t>(line.nodes()));

@@ -5,9 +5,9 @@
 #include <QGraphicsItem>
 #include <QList>
 #include <QString>
-#include <limits>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/chart/diagram.h"
 #include "ui/chart/chart_geometry.h"
 #include "ui/chart/chart_style.h"
@@ -76,7 +76,7 @@ class ChartBackground : public QGraphicsItem {
   ChartStyle style_;
   TickedAxis xAxis_, yAxis_;
   AxisTitles titles_;
-  double line_ = std::numeric_limits<double>::quiet_NaN();  // that names avoid
+  double line_ = kNaN;  // that names avoid
   QRectF frame_;
 };
 

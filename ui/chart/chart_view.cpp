@@ -14,9 +14,9 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/chart/curve_diagram.h"
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
@@ -29,7 +29,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
 constexpr double kLegend = 0.25;       // part of the height, at which names are shortened
 constexpr double kWheel = 1.25;        // factor of one step of the wheel

@@ -5,8 +5,9 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
+
+#include "core/base/statistics.h"
 
 namespace asperity {
 
@@ -30,7 +31,7 @@ struct PassSums {
 };
 
 /// The value of a sum that a pass does not compute.
-inline constexpr double kNotGathered = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kNotGathered = kNaN;
 
 /// Shape of the elastomer at the nodes of a PreparedProfile, in order of travel.
 struct NodeShape {

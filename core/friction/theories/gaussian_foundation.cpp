@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
@@ -57,9 +59,8 @@ double zeroFrequencyViscosity(const ElementLaw& law) {
 
 GaussianFoundation gaussianFoundation(const ElementLaw& law, double meanSquareHeight,
                                       double meanSquareSlope, double lineForce) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (!(law.equilibriumModulus > 0) || !(meanSquareHeight > 0) || !(lineForce > 0))
-    return {kNone, kNone, kNone};
+    return {kNaN, kNaN, kNaN};
   const double delta =
       gaussianDepth(lineForce / (4 * law.equilibriumModulus * std::sqrt(meanSquareHeight)));
   GaussianFoundation found;

@@ -150,7 +150,7 @@ TEST(PairedMeans, TheErrorIsTheSpreadOfTheRatio) {
       }
       for (int i = 0; i < onlyA; ++i) means.addOnlyA(line());
       for (int i = 0; i < onlyB; ++i) means.addOnlyB(other(line()));
-      const PairedMeans::Ratio ratio = means.ratio();
+      const Estimate ratio = means.ratio();
       sum += ratio.value;
       squares += ratio.value * ratio.value;
       stated += ratio.standardError;

@@ -116,7 +116,7 @@ TEST(OverlapFit, StandardErrorsFollowTheNoise) {
   const auto error = [](double noise) {
     const auto found = fittedShift(curvedSweep(0.7, 0.7, noise, 1), curvedSweep(0, 0, noise, 2),
                                    0.7, {}, ShiftModuli::Both);
-    return found.value().horizontal.error;
+    return found.value().horizontal.standardError;
   };
   const double small = error(1e-4);
   EXPECT_GT(small, 0);

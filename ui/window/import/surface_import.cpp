@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
+#include "core/base/statistics.h"
 #include "core/run/measured_sheet.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_files.h"
@@ -58,7 +59,7 @@ std::vector<double> patches(const Topography& topography, int width, int height)
             sum += value;
             ++count;
           }
-      means.push_back(count > 0 ? sum / count : std::nan(""));
+      means.push_back(count > 0 ? sum / count : kNaN);
     }
   }
   return means;
