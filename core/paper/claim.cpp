@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 namespace {
@@ -68,6 +69,13 @@ void decideExactly(Claim& claim, double value, const Bounds& bounds) {
   claim.measured = {value, kNotApplicable};
   claim.bounds = bounds;
   claim.holds = verdict({value, 0}, bounds);
+}
+
+void decideZero(Claim& claim, double value) {
+  constexpr double kRounding = 1e-9;
+  claim.expected = 0;
+  claim.criterion = message("below {}", plain(kRounding));
+  decideExactly(claim, value, below(kRounding));
 }
 
 std::size_t decideByAll(Claim& claim, std::span<const Estimate> measured, const Bounds& bounds) {

@@ -55,6 +55,9 @@ void decide(Claim& claim, const Estimate& measured, const Bounds& bounds);
 /// Does the same for a number without uncertainty except for rounding. NaN: there is no number.
 void decideExactly(Claim& claim, double value, const Bounds& bounds);
 
+/// Does the same for a number that should be 0 but for rounding.
+void decideZero(Claim& claim, double value);
+
 /// Does the same for several numbers, all of which must lie within the bounds. The claim gets the
 /// decisive one, whose index is returned: a No before an Undecided before a Yes, and among equal
 /// verdicts the one with the smallest margin.

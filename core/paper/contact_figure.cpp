@@ -1,14 +1,12 @@
 // Fig. 1: one contact, as a drawing, with the statements of the text before it about line and
 // model.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
@@ -35,14 +33,13 @@ Contact computeContact(const Scene& scene) {
   return contact;
 }
 
-std::string contactTable(const Contact& contact) {
-  std::string text =
-      joinedColumns({"position", "line_height", "surface_height", "pressure"}) + "\n";
+DataTable contactTable(const Contact& contact) {
+  DataTable table{columnNames({"position", "line_height", "surface_height", "pressure"}), {}};
   const double down = contact.profile.lowestHeight + contact.steady.indentation;
   for (std::size_t i = 0; i < contact.line.nodes(); ++i)
-    text += fmt::format("{},{},{},{}\n", static_cast<double>(i) * contact.line.spacing,
-                        contact.line.height[i] - down, -contact.depth[i], contact.pressure[i]);
-  return text;
+    table.rows.push_back({static_cast<double>(i) * contact.line.spacing,
+                          contact.line.height[i] - down, -contact.depth[i], contact.pressure[i]});
+  return table;
 }
 
 /// Parts of a sum over modes that come from waves of at least a tenth of the longest, or at most
@@ -69,9 +66,7 @@ Claim balanceClaim(const Contact& contact) {
               "The indentation depth is determined to satisfy the condition of constant normal "
               "force",
               "relative residual of the force balance"};
-  claim.expected = 0;
-  claim.criterion = message("below {}", plain(1e-9));
-  decideExactly(claim, contact.steady.residual, below(1e-9));
+  decideZero(claim, contact.steady.residual);
   claim.note =
       "For separate elements F\u2099(d) jumps where an element enters; see Fig. 2's claims.";
   return claim;
@@ -111,7 +106,7 @@ Claim shareClaim(const char* id, const char* text, const char* quantity, double 
 
 void addContactFigure(Figure& figure, const FigureOptions& options) {
   const Contact contact = computeContact(figure.scene);
-  figure.csv = contactTable(contact);
+  figure.csv = tableCsv(contactTable(contact));
   figure.sheet.note = "Vertical and horizontal units differ.";
   const FourierLine modes = LineSource(figure.scene, 1).spectrum(0);
   figure.claims = {

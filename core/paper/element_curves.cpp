@@ -13,6 +13,8 @@
 namespace asperity {
 namespace {
 
+constexpr std::int64_t kLiteralSteps = 200;
+
 struct Reading {
   double mu = 0, jumpFraction = 0;
 };
@@ -72,14 +74,14 @@ Start steadyStart(const Line& line, Scheme scheme, const SlidingConditions& cond
   return {inLineOrder(profile, shape.depth), steady.indentation, profile.lowestHeight};
 }
 
-Reading literal(const Line& line, const Scene& scene, double velocity, const LiteralSteps& steps) {
+Reading literal(const Line& line, const Scene& scene, double velocity) {
   const SlidingConditions conditions = slidingConditions(scene, velocity);
   const double force = scene.load.normalForce;
   const Start start = steadyStart(line, Scheme::Nodal, conditions, force);
   LiteralOptions march;
   for (const LiteralVectors vectors : {LiteralVectors::Avx2, LiteralVectors::Avx512})
     if (isSupported(vectors)) march.vectors = vectors;
-  march.steps = steps.steps;
+  march.steps = kLiteralSteps;
   march.startDepth = start.depth;
   march.startIndentation = start.indentation;
   const LiteralResult result = literalMarch(line, conditions, force, march);
@@ -143,13 +145,12 @@ Estimate exponentFrom(std::span<const ElementPoint> points, double velocity) {
 }
 
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
-                                       std::int64_t lines, const LiteralSteps& steps,
-                                       const GroupedMeansOptions& options) {
+                                       std::int64_t lines, const GroupedMeansOptions& options) {
   Marches marches(scene, lines, options);
   std::vector<ElementPoint> points;
   for (const double velocity : velocities) {
     points.push_back(marches.point(velocity, [&](const std::shared_ptr<const Line>& line) {
-      return literal(*line, scene, velocity, steps);
+      return literal(*line, scene, velocity);
     }));
     marches.report(points.size(), velocities.size());
   }

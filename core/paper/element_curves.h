@@ -30,15 +30,12 @@ struct ElementPoint {
 /// fewer than two of them.
 Estimate exponentFrom(std::span<const ElementPoint> points, double velocity);
 
-/// The paper's rule: steps of one spacing, Eqs. (1) to (4). A march begins with the steady shape of
-/// the same elements if one of them may be partly loaded; its result agrees within 1e-4 with that
-/// of many periods from a flat elastomer.
-struct LiteralSteps {
-  std::int64_t steps = 200;  // the last fifth of them is averaged
-};
+/// Returns results by the paper's rule: 200 steps of one spacing, Eqs. (1) to (4), of which the
+/// last fifth is averaged. A march begins with the steady shape of the same elements if one of them
+/// may be partly loaded; its result agrees within 1e-4 with that of many periods from a flat
+/// elastomer.
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
-                                       std::int64_t lines, const LiteralSteps& steps,
-                                       const GroupedMeansOptions& options);
+                                       std::int64_t lines, const GroupedMeansOptions& options);
 
 /// The number of steps per spacing: from `first` on, doubled until twice as many change mu by less
 /// than `tolerance`, as the mean over the lines of the relative change. Contact at high velocity is

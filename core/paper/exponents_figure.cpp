@@ -1,15 +1,12 @@
 // Fig. 5: alpha and beta of Eq. (5) in zone 1 over the Hurst exponent.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
-#include "core/friction/curve_file.h"
 #include "core/friction/law.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
 namespace {
@@ -23,7 +20,7 @@ struct Coefficients {
 
 Coefficients fitCoefficients(const GroupedMeans& means) {
   Coefficients one{
-      means.scene().surface.hurst,
+      hurstExponent(means),
       jackknife(means.groups(), [&](int out) { return fitAlpha(means, out); }),
       jackknife(means.groups(), [&](int out) { return fitBeta(means, out); }),
       jackknife(means.groups(), [&](int out) { return fitAlpha(means, out, kBetaUpTo); })};
@@ -160,19 +157,19 @@ Claim prefactorClaim(const std::vector<Coefficients>& all) {
 
 void addExponentsFigure(Figure& figure, const FigureOptions& options) {
   std::vector<Coefficients> all;
-  figure.csv = joinedColumns({"hurst", "alpha", "alpha_standard_error", "alpha_law", "beta",
-                              "beta_standard_error", "alpha_up_to_1",
-                              "alpha_up_to_1_standard_error", "realizations"}) +
-               "\n";
+  DataTable table{columnNames({"hurst", "alpha", "alpha_standard_error", "alpha_law", "beta",
+                               "beta_standard_error", "alpha_up_to_1",
+                               "alpha_up_to_1_standard_error", "realizations"}),
+                  {}};
   forEachHurst(figure.scene, elevenHurstExponents(), options, zone1Cases,
-               [&](double hurst, const GroupedMeans& means) {
+               [&](const GroupedMeans& means) {
                  const Coefficients& one = all.emplace_back(fitCoefficients(means));
-                 figure.csv += fmt::format(
-                     "{},{},{},{},{},{},{},{},{}\n", hurst, one.alpha.value,
-                     csvNumber(one.alpha.standardError), forceExponent(hurst), one.beta.value,
-                     csvNumber(one.beta.standardError), one.wideAlpha.value,
-                     csvNumber(one.wideAlpha.standardError), means.realizations());
+                 table.rows.push_back({one.hurst, one.alpha.value, one.alpha.standardError,
+                                       forceExponent(one.hurst), one.beta.value,
+                                       one.beta.standardError, one.wideAlpha.value,
+                                       one.wideAlpha.standardError, means.realizations()});
                });
+  figure.csv = tableCsv(table);
   figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
   figure.sheet.note = sentences(
       {"In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "

@@ -38,10 +38,8 @@ double velocityExponent(const GroupedMeans& means, std::size_t j, std::size_t fi
   return fitPower(velocities, mu).slope;
 }
 
-Plateau findPlateau(const GroupedMeans& means, std::size_t j, int leftOut) {
-  const CurveMaximum maximum =
-      curveMaximum(means.velocities(j), normalizedCurve(means, j, leftOut));
-  return {maximum.velocity, maximum.value};
+CurveMaximum findPlateau(const GroupedMeans& means, std::size_t j, int leftOut) {
+  return curveMaximum(means.velocities(j), normalizedCurve(means, j, leftOut));
 }
 
 RegionBorders regionBorders(const GroupedMeans& means, std::size_t j, int leftOut,
@@ -122,7 +120,7 @@ double fitAlpha(const GroupedMeans& means, int leftOut, double to) {
 }
 
 double fitBeta(const GroupedMeans& means, int leftOut) {
-  const double alpha = forceExponent(means.scene().surface.hurst);
+  const double alpha = forceExponent(hurstExponent(means));
   double sum = 0;
   for (std::size_t j = 0; j < means.forces(); ++j) {
     const double force = dimensionlessForce(means.lawInput(j, 0));
@@ -134,8 +132,7 @@ double fitBeta(const GroupedMeans& means, int leftOut) {
 std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope) {
   std::vector<LoadCase> cases;
   for (const double force : logSpaced(kZone1From, kBetaUpTo, 13))
-    cases.push_back(
-        {{LoadKind::Force, forceAt(scene, force), 0}, {velocityAt(1e-5, scene, rmsSlope)}});
+    cases.push_back(atForce(forceAt(scene, force), {velocityAt(1e-5, scene, rmsSlope)}));
   return cases;
 }
 
@@ -146,8 +143,7 @@ std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
     // The maximum lies one to two decades above the velocity where region I meets the plateau.
     const double meeting = meetingVelocity(normalForce / forceAt(scene, 1), scene.surface.hurst);
     const double velocity = velocityAt(meeting, scene, rmsSlope);
-    cases.push_back(
-        {{LoadKind::Force, normalForce, 0}, logSpaced(3 * velocity, 300 * velocity, 9)});
+    cases.push_back(atForce(normalForce, logSpaced(3 * velocity, 300 * velocity, 9)));
   }
   return cases;
 }
@@ -197,13 +193,13 @@ GroupedMeans FigureWork::computeMeans(const Scene& scene, const std::vector<doub
 void forEachHurst(const Scene& scene, std::span<const double> exponents,
                   const FigureOptions& options,
                   const std::function<std::vector<LoadCase>(const Scene&, double rmsSlope)>& cases,
-                  const std::function<void(double hurst, GroupedMeans means)>& use) {
+                  const std::function<void(GroupedMeans means)>& use) {
   FigureWork work(options, static_cast<double>(exponents.size()));
   for (const double hurst : exponents) {
     Scene one = scene;
     one.surface.hurst = hurst;
     const double slope = LineSource(one, 1).statistics().rmsSlope;
-    use(hurst, GroupedMeans(one, cases(one, slope), work.next(1)));
+    use(GroupedMeans(one, cases(one, slope), work.next(1)));
   }
 }
 
@@ -231,6 +227,10 @@ DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name) 
 
 Diagram frictionDiagram() {
   return {.x = {"sliding velocity v", "m/s"}, .y = {"normalized friction \u03BC/\u2207z", ""}};
+}
+
+std::string tableHeader(std::initializer_list<ColumnName> lead) {
+  return joinedColumns(lead) + "," + CurveTable().header() + "\n";
 }
 
 std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead) {

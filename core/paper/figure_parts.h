@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "core/friction/curve_features.h"
 #include "core/friction/jackknife.h"
 #include "core/paper/figure.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 
@@ -24,14 +26,9 @@ namespace asperity {
 double velocityExponent(const GroupedMeans& means, std::size_t j, std::size_t first,
                         std::size_t last, int leftOut = GroupedMeans::kAll);
 
-struct Plateau {
-  double velocity = 0;      // m/s
-  double normalizedMu = 0;  // mu / rms slope of the line
-};
-
-/// Returns the curve's maximum, from the parabola in ln v through the highest value and its
-/// neighbours.
-Plateau findPlateau(const GroupedMeans& means, std::size_t j, int leftOut = GroupedMeans::kAll);
+/// Returns the maximum of mu / rms slope of the line.
+CurveMaximum findPlateau(const GroupedMeans& means, std::size_t j,
+                         int leftOut = GroupedMeans::kAll);
 
 /// Returns the borders; region I is the region of the lowest velocity.
 RegionBorders regionBorders(const GroupedMeans& means, std::size_t j,
@@ -53,6 +50,10 @@ FullContact compareFullContact(const GroupedMeans& means);
 /// Returns the exponent n of what `read` returns for lines of different rms slopes, ~ slope^n.
 double slopeExponent(std::span<const GroupedMeans> allMeans,
                      const std::function<double(const GroupedMeans&)>& read);
+
+inline double hurstExponent(const GroupedMeans& means) {
+  return means.scene().surface.hurst;
+}
 
 /// Returns the number of elements times a factor, at least 3.
 std::int64_t scaledElements(const Scene& scene, double factor);
@@ -113,11 +114,11 @@ class FigureWork {
 };
 
 /// Computes means for each Hurst exponent of the scene's lines, under the loads that `cases`
-/// returns for a scene and the rms slope of its lines, and passes them to `use`.
+/// returns for a scene and the rms slope of its lines, and passes them to `use` in this order.
 void forEachHurst(const Scene& scene, std::span<const double> exponents,
                   const FigureOptions& options,
                   const std::function<std::vector<LoadCase>(const Scene&, double rmsSlope)>& cases,
-                  const std::function<void(double hurst, GroupedMeans means)>& use);
+                  const std::function<void(GroupedMeans means)>& use);
 
 /// Returns mu / rms slope over velocity with one standard error; the other function returns Eq.
 /// (11) over the same velocities.
@@ -126,6 +127,9 @@ DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name);
 
 /// Returns a diagram with the axes of these series, and no series yet.
 Diagram frictionDiagram();
+
+/// Returns the header of a table with these columns before those of a curve.
+std::string tableHeader(std::initializer_list<ColumnName> lead);
 
 /// Returns the rows of a table for force j; each begins with `lead` ("0.7,").
 std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead);

@@ -1,10 +1,8 @@
 // Fig. 4: twenty normal forces; partial contact (zone 1) and complete contact (zone 2).
 #include <fmt/format.h>
 
-#include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -42,7 +40,7 @@ void addForcesFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, 20 + kZoneClaimsCost);
   const GroupedMeans means =
       work.computeMeans(figure.scene, paperForces(), sweepVelocities(figure.scene.sweep), 20);
-  figure.csv = joinedColumns({"normal_force"}) + "," + CurveTable().header() + "\n";
+  figure.csv = tableHeader({"normal_force"});
   for (std::size_t j = 0; j < means.forces(); ++j)
     figure.csv += tableRows(means, j, fmt::format("{},", means.normalForce(j)));
   figure.sheet.diagrams.push_back(forcesDiagram(means));

@@ -5,17 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
-
-double hurstExponent(const GroupedMeans& means) {
-  return means.scene().surface.hurst;
-}
 
 /// Returns a result for each Hurst exponent.
 template <class Read>
@@ -87,7 +81,7 @@ Claim lawClaim(const std::vector<GroupedMeans>& allMeans) {
 /// Returns mu at the highest velocity over the maximum.
 double leftAtTheEnd(const GroupedMeans& means, int out) {
   return means.normalizedMu(0, means.velocities().size() - 1, out) /
-         findPlateau(means, 0, out).normalizedMu;
+         findPlateau(means, 0, out).value;
 }
 
 Claim outsideClaim(const std::vector<GroupedMeans>& allMeans) {
@@ -113,7 +107,7 @@ Message noteOnContact(const std::vector<GroupedMeans>& allMeans) {
     for (std::size_t i = 0; i < means.velocities().size(); ++i) {
       if (means.contactFraction(0, i) < 1 - 1e-12) continue;
       ++complete;
-      part = std::max(part, means.normalizedMu(0, i) / findPlateau(means, 0).normalizedMu);
+      part = std::max(part, means.normalizedMu(0, i) / findPlateau(means, 0).value);
     }
   }
   const double force = dimensionlessForce(allMeans.front().lawInput(0, 0));
@@ -127,25 +121,24 @@ Message noteOnContact(const std::vector<GroupedMeans>& allMeans) {
 }  // namespace
 
 void addHurstFigure(Figure& figure, const FigureOptions& options) {
-  const std::vector<double> exponents = sixHurstExponents();
-  FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<GroupedMeans> allMeans;
   Diagram diagram = frictionDiagram();
-  figure.csv = joinedColumns({"hurst"}) + "," + CurveTable().header() + "\n";
-  for (std::size_t k = 0; k < exponents.size(); ++k) {
-    Scene scene = figure.scene;
-    scene.surface.hurst = exponents[k];
-    const GroupedMeans& means = allMeans.emplace_back(
-        work.computeMeans(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1));
+  figure.csv = tableHeader({"hurst"});
+  const auto cases = [](const Scene& scene, double) {
+    return std::vector{atForce(scene.load.normalForce, sweepVelocities(scene.sweep))};
+  };
+  forEachHurst(figure.scene, sixHurstExponents(), options, cases, [&](GroupedMeans computed) {
+    const std::size_t k = allMeans.size();
+    const GroupedMeans& means = allMeans.emplace_back(std::move(computed));
     DiagramSeries law = lawSeries(means, 0, k == 0 ? "Eq. (11)" : "");
     diagram.series.insert(diagram.series.begin() + static_cast<std::ptrdiff_t>(k), law);
-    DiagramSeries series = frictionSeries(means, 0, message("H = {:g}", exponents[k]));
+    DiagramSeries series = frictionSeries(means, 0, message("H = {:g}", hurstExponent(means)));
     series.mark = SeriesMark::Circle;
     series.stroke = SeriesStroke::None;
     series.colour = static_cast<int>(k);
     diagram.series.push_back(series);
-    figure.csv += tableRows(means, 0, fmt::format("{},", exponents[k]));
-  }
+    figure.csv += tableRows(means, 0, fmt::format("{},", hurstExponent(means)));
+  });
   figure.sheet.diagrams.push_back(std::move(diagram));
   figure.sheet.note = sentences(
       {noteOnContact(allMeans),

@@ -9,10 +9,8 @@
 
 #include "core/base/number_text.h"
 #include "core/base/units.h"
-#include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -144,9 +142,7 @@ Claim dimensionClaim(const Scene& base, FigureWork& work) {
       "velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent",
       "largest change of \u03BC / grad where h, L, G and \u03C4 change but F\u2099 / G h L and "
       "\u03C4 v grad / h do not"};
-  claim.expected = 0;
-  claim.criterion = message("below {}", plain(1e-9));
-  decideExactly(claim, worst, below(1e-9));
+  decideZero(claim, worst);
   claim.note = "At the same number of elements; it is a third variable, by the spacing.";
   return claim;
 }
@@ -202,9 +198,7 @@ Temperatures testTemperatures(const Scene& base, FigureWork& work) {
                   "Curves are shifted by changes of temperature, which influences the relaxation "
                   "time (the master curve procedure)",
                   "largest |\u03BC(v, T) / \u03BC(v a\u209C, T\u1D63) - 1|, 10 to 100 \u00B0C"};
-  result.claim.expected = 0;
-  result.claim.criterion = message("below {}", plain(1e-9));
-  decideExactly(result.claim, worst, below(1e-9));
+  decideZero(result.claim, worst);
   result.claim.note =
       "WLF shift of a filled rubber: C\u2081 = 4.41, C\u2082 = 137.64 K, T\u1D63 = 343.15 K.";
   return result;
@@ -242,8 +236,7 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
   after.series.push_back(law);
 
   std::vector<GroupedMeans> allMeans;
-  figure.csv = joinedColumns({"variant", "velocity_shift", "friction_shift"}) + "," +
-               CurveTable().header() + "\n";
+  figure.csv = tableHeader({"variant", "velocity_shift", "friction_shift"});
   for (const Variant& variant : variants) {
     const GroupedMeans& means = allMeans.emplace_back(work.computeMeans(
         variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));

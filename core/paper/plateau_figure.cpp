@@ -1,27 +1,23 @@
 // Fig. 6: the plateau (region III) over the normal force for several Hurst exponents.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/number_text.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
 namespace {
 
 struct Top {
   double force = 0;  // dimensionless
-  Plateau plateau;
+  CurveMaximum plateau;
   Estimate normalizedMu;
   double contactFraction = 0, slopeRatio = 0;  // at the velocity nearest to the maximum
 };
 
 struct Tops {
-  double hurst = 0;
-  int groups = 1;
   GroupedMeans means;
   std::vector<Top> tops;  // ordered by force
 };
@@ -31,7 +27,7 @@ Top findTop(const GroupedMeans& means, std::size_t j) {
   top.force = dimensionlessForce(means.lawInput(j, 0));
   top.plateau = findPlateau(means, j);
   top.normalizedMu =
-      jackknife(means.groups(), [&](int out) { return findPlateau(means, j, out).normalizedMu; });
+      jackknife(means.groups(), [&](int out) { return findPlateau(means, j, out).value; });
   const std::vector<double>& velocities = means.velocities(j);
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < velocities.size(); ++i)
@@ -52,7 +48,7 @@ Diagram plateauDiagram(const std::vector<Tops>& all) {
                    {first.normalForce(first.forces() - 1), std::numbers::sqrt2}};
   diagram.series.push_back(theory);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    DiagramSeries series{message("H = {:g}", all[k].hurst), SeriesMark::Circle};
+    DiagramSeries series{message("H = {:g}", hurstExponent(all[k].means)), SeriesMark::Circle};
     series.colour = static_cast<int>(k);
     for (std::size_t j = 0; j < all[k].tops.size(); ++j) {
       const auto [value, error] = all[k].tops[j].normalizedMu;
@@ -76,7 +72,7 @@ Claim heightClaim(const std::vector<Tops>& all) {
   double lowest = 2, highest = 0;
   for (const Tops& one : all)
     for (const Top& top : one.tops) {
-      if (!isInPaperRange(one.hurst) || top.force < 1) continue;
+      if (!isInPaperRange(hurstExponent(one.means)) || top.force < 1) continue;
       lowest = std::min(lowest, top.normalizedMu.value);
       highest = std::max(highest, top.normalizedMu.value);
       plateaus.push_back(top.normalizedMu);
@@ -108,11 +104,11 @@ Claim hurstClaim(const std::vector<Tops>& all) {
   claim.expected = 1;
   claim.criterion = "above 0.85";
   const auto ratio = [&](int out) {
-    return findPlateau(low->means, at, out).normalizedMu /
-           findPlateau(high->means, at, out).normalizedMu;
+    return findPlateau(low->means, at, out).value / findPlateau(high->means, at, out).value;
   };
-  decide(claim, jackknife(low->groups, ratio), above(0.85));
-  claim.note = message("Smallest at H = {:g}, largest at H = {:g}.", low->hurst, high->hurst);
+  decide(claim, jackknife(low->means.groups(), ratio), above(0.85));
+  claim.note = message("Smallest at H = {:g}, largest at H = {:g}.", hurstExponent(low->means),
+                       hurstExponent(high->means));
   return claim;
 }
 
@@ -120,8 +116,8 @@ Claim hurstClaim(const std::vector<Tops>& all) {
 double remainingPlateau(const Tops& one, int out = GroupedMeans::kAll) {
   double top = 0;
   for (std::size_t j = 0; j < one.means.forces(); ++j)
-    top = std::max(top, findPlateau(one.means, j, out).normalizedMu);
-  return findPlateau(one.means, 0, out).normalizedMu / top;
+    top = std::max(top, findPlateau(one.means, j, out).value);
+  return findPlateau(one.means, 0, out).value / top;
 }
 
 Claim fallClaim(const std::vector<Tops>& all) {
@@ -134,10 +130,10 @@ Claim fallClaim(const std::vector<Tops>& all) {
     return sum / static_cast<double>(all.size());
   };
   claim.criterion = "below 1";
-  decide(claim, jackknife(all.front().groups, mean), below(1));
+  decide(claim, jackknife(all.front().means.groups(), mean), below(1));
   std::vector<Message> each;
   for (const Tops& one : all)
-    each.push_back(message("H = {:g}: {:.2f}", one.hurst, remainingPlateau(one)));
+    each.push_back(message("H = {:g}: {:.2f}", hurstExponent(one.means), remainingPlateau(one)));
   claim.note = message("{}.", listed(each));
   return claim;
 }
@@ -154,7 +150,7 @@ Claim strongerClaim(const std::vector<Tops>& all) {
   const auto ratio = [&](int out) {
     return remainingPlateau(all.back(), out) / remainingPlateau(all.front(), out);
   };
-  decide(claim, jackknife(all.front().groups, ratio), below(1));
+  decide(claim, jackknife(all.front().means.groups(), ratio), below(1));
   return claim;
 }
 
@@ -162,26 +158,25 @@ Claim strongerClaim(const std::vector<Tops>& all) {
 
 void addPlateauFigure(Figure& figure, const FigureOptions& options) {
   std::vector<Tops> all;
-  figure.csv = joinedColumns({"hurst", "normal_force", "dimensionless_force", "plateau",
-                              "plateau_standard_error", "velocity_of_plateau", "contact_fraction",
-                              "slope_in_contact_over_slope", "realizations"}) +
-               "\n";
+  DataTable table{columnNames({"hurst", "normal_force", "dimensionless_force", "plateau",
+                               "plateau_standard_error", "velocity_of_plateau", "contact_fraction",
+                               "slope_in_contact_over_slope", "realizations"}),
+                  {}};
   const auto cases = [](const Scene& scene, double rmsSlope) {
     return plateauCases(scene, rmsSlope, paperForces());
   };
-  forEachHurst(
-      figure.scene, sixHurstExponents(), options, cases, [&](double hurst, GroupedMeans means) {
-        std::vector<Top> tops;
-        for (std::size_t j = 0; j < means.forces(); ++j) {
-          const Top& top = tops.emplace_back(findTop(means, j));
-          figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, means.normalForce(j),
-                                    top.force, top.normalizedMu.value,
-                                    csvNumber(top.normalizedMu.standardError), top.plateau.velocity,
-                                    top.contactFraction, top.slopeRatio, means.realizations());
-        }
-        const int groups = means.groups();
-        all.push_back({hurst, groups, std::move(means), std::move(tops)});
-      });
+  forEachHurst(figure.scene, sixHurstExponents(), options, cases, [&](GroupedMeans means) {
+    std::vector<Top> tops;
+    for (std::size_t j = 0; j < means.forces(); ++j) {
+      const Top& top = tops.emplace_back(findTop(means, j));
+      table.rows.push_back({hurstExponent(means), means.normalForce(j), top.force,
+                            top.normalizedMu.value, top.normalizedMu.standardError,
+                            top.plateau.velocity, top.contactFraction, top.slopeRatio,
+                            means.realizations()});
+    }
+    all.push_back({std::move(means), std::move(tops)});
+  });
+  figure.csv = tableCsv(table);
   figure.sheet.diagrams = {plateauDiagram(all)};
   figure.sheet.note =
       "The maximum of each averaged curve \u03BC(v), with one standard error. \u221A2 assumes "

@@ -26,7 +26,7 @@ LoadShares computeShares(const GroupedMeans& means, FigureWork& work) {
   for (const double factor : kAround) velocities.push_back(factor * findPlateau(means, 0).velocity);
   velocities.push_back(means.velocities().back());
   return {means.scene(),
-          {{{LoadKind::Force, means.normalForce(0), 0}, velocities}},
+          {atForce(means.normalForce(0), velocities)},
           std::min(means.realizations(), kShareLines),
           work.next(0.2)};
 }
@@ -77,7 +77,7 @@ Claim followClaim(const GroupedMeans& means, const LoadShares& shares) {
       "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
       "{:.3f} to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it "
       "is 2/\u221A3 = {:.3f}.",
-      means.normalizedMu(0, last) / findPlateau(means, 0).normalizedMu,
+      means.normalizedMu(0, last) / findPlateau(means, 0).value,
       shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
       2 / std::numbers::sqrt3);
   return claim;

@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "core/friction/curve_features.h"
-#include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -36,7 +34,7 @@ Claim maximumClaim(const std::vector<GroupedMeans>& allMeans) {
   claim.criterion = "within 0.1 of 1";
   const auto exponent = [&](int out) {
     return slopeExponent(allMeans, [&](const GroupedMeans& means) {
-      return findPlateau(means, 0, out).normalizedMu * means.line().rmsSlope;
+      return findPlateau(means, 0, out).value * means.line().rmsSlope;
     });
   };
   decide(claim, jackknife(allMeans.front().groups(), exponent), within(1, 0.1));
@@ -63,7 +61,7 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
   plain.title = "coefficient of friction";
   plain.y.title = "friction \u03BC";
   normalized.title = "over the rms slope";
-  figure.csv = joinedColumns({"spacing", "rms_slope"}) + "," + CurveTable().header() + "\n";
+  figure.csv = tableHeader({"spacing", "rms_slope"});
   std::vector<GroupedMeans> allMeans;
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     Scene scene = figure.scene;

@@ -8,7 +8,6 @@
 #include "core/friction/ensemble.h"
 #include "core/paper/element_curves.h"
 #include "core/paper/figure_parts.h"
-#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -35,8 +34,7 @@ Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWor
   const std::int64_t literalLines = partOfLines(options.realizations, 5, 40);
   const std::int64_t fineLines = partOfLines(options.realizations, 33, 6);
   GroupedMeans resolved = work.computeMeans(scene, {scene.load.normalForce}, velocities, 1);
-  std::vector<ElementPoint> literal =
-      literalCurve(scene, velocities, literalLines, {}, work.next(4));
+  std::vector<ElementPoint> literal = literalCurve(scene, velocities, literalLines, work.next(4));
   std::vector<ElementPoint> fine = fineStepCurve(scene, fast, fineLines, {}, work.next(10));
   const bool isCut = fine.size() < fast.size();
   return {std::move(resolved), std::move(literal), std::move(fine), isCut};
@@ -85,7 +83,7 @@ Diagram velocityDiagram(const Curves& curves) {
 }
 
 std::string curvesTable(const Curves& curves) {
-  std::string text = joinedColumns({"curve"}) + "," + CurveTable().header() + "\n";
+  std::string text = tableHeader({"curve"});
   text += tableRows(curves.resolved, 0, "resolved,");
   const LawInput in = curves.resolved.lawInput(0, 0);
   const auto add = [&](const std::vector<ElementPoint>& points, const char* lead) {
@@ -182,11 +180,10 @@ Claim plateauClaim(const GroupedMeans& means) {
               "largest \u03BC / rms slope of the line"};
   claim.expected = std::sqrt(2.0);
   claim.criterion = "within 10 % of \u221A2";
-  decide(
-      claim,
-      jackknife(means.groups(), [&](int out) { return findPlateau(means, 0, out).normalizedMu; }),
-      within(claim.expected, 0.1 * claim.expected));
-  const Plateau plateau = findPlateau(means, 0);
+  decide(claim,
+         jackknife(means.groups(), [&](int out) { return findPlateau(means, 0, out).value; }),
+         within(claim.expected, 0.1 * claim.expected));
+  const CurveMaximum plateau = findPlateau(means, 0);
   claim.note =
       message("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
   return claim;

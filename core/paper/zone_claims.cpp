@@ -52,7 +52,7 @@ Claim zone1FrictionClaim(const GroupedMeans& means) {
        "In zone 1 the coefficient of friction is a power of the force, with exponent "
        "\u2212H/(1 + H)",
        "exponent of \u03BC over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
-      means, -forceExponent(means.scene().surface.hurst),
+      means, -forceExponent(hurstExponent(means)),
       [&](std::size_t j, int out) { return means.mu(j, 0, out); });
 }
 
@@ -62,7 +62,7 @@ Claim contactLengthClaim(const GroupedMeans& means) {
        "At small forces the contact length is a power of the force, with the exponent 1/(1+H)",
        "exponent of the contact length over F\u2099 at the lowest velocity, F\u2099 / G h L up to "
        "0.1"},
-      means, 1 / (1 + means.scene().surface.hurst),
+      means, 1 / (1 + hurstExponent(means)),
       [&](std::size_t j, int out) { return means.contactFraction(j, 0, out); });
   claim.note =
       "The slope in contact rises with the force, too, so that \u03BC and the contact length need "
@@ -109,7 +109,7 @@ Claim slopeTrendClaim(const GroupedMeans& means) {
   decide(claim, slopeRatio(means, 0, last), below(1));
   // Eq. (15) as printed has the wrong sign of the exponent; with q^(2(1-H)) it is the sum of modes
   // shorter than the contact.
-  const double hurst = means.scene().surface.hurst;
+  const double hurst = hurstExponent(means);
   const double shortest =
       2 * means.scene().surface.length / static_cast<double>(means.scene().surface.elements);
   const auto squared = [&](double contact) {
@@ -169,8 +169,7 @@ Claim oneSidedClaim(const GroupedMeans& means, FigureWork& work) {
   std::vector<LoadCase> cases;
   for (const double force : kForces) {
     const double meeting = meetingVelocity(force, scene.surface.hurst) * unit;
-    cases.push_back(
-        {{LoadKind::Force, forceAt(scene, force), 0}, logSpaced(0.1 * meeting, 20 * meeting, 9)});
+    cases.push_back(atForce(forceAt(scene, force), logSpaced(0.1 * meeting, 20 * meeting, 9)));
   }
   const LoadShares shares(scene, std::move(cases), std::min<std::int64_t>(means.realizations(), 40),
                           work.next(2));
@@ -201,8 +200,7 @@ Claim oneSidedClaim(const GroupedMeans& means, FigureWork& work) {
 
 Claim plateauSpreadClaim(const GroupedMeans& means) {
   std::vector<double> tops;
-  for (std::size_t j = 0; j < means.forces(); ++j)
-    tops.push_back(findPlateau(means, j).normalizedMu);
+  for (std::size_t j = 0; j < means.forces(); ++j) tops.push_back(findPlateau(means, j).value);
   Claim claim{"plateau_depends_weakly_on_force", "p. 1, abstract",
               "The coefficient of friction on the plateau depends only weakly on the normal force",
               "smallest over largest plateau, over five decades of force"};
@@ -212,8 +210,7 @@ Claim plateauSpreadClaim(const GroupedMeans& means) {
   claim.expected = 1;
   claim.criterion = "above 0.8";
   const auto ratio = [&](int out) {
-    return findPlateau(means, lowest, out).normalizedMu /
-           findPlateau(means, highest, out).normalizedMu;
+    return findPlateau(means, lowest, out).value / findPlateau(means, highest, out).value;
   };
   decide(claim, jackknife(means.groups(), ratio), above(0.8));
   return claim;
@@ -272,9 +269,7 @@ Claim ratioClaim(const GroupedMeans& means, FigureWork& work) {
       "force_over_modulus", "p. 2, before Eq. (5)",
       "The coefficient of friction depends on force and shear modulus only over F\u2099 / G",
       "largest change of \u03BC where both are tripled"};
-  claim.expected = 0;
-  claim.criterion = message("below {}", plain(1e-9));
-  decideExactly(claim, worst, below(1e-9));
+  decideZero(claim, worst);
   return claim;
 }
 

@@ -19,7 +19,7 @@ TEST(ElementCurves, LiteralIsWhatManyPeriodsFromAFlatElastomerEndWith) {
   constexpr std::int64_t kElements = 1000, kLines = 2, kPeriods = 16;
   const Scene scene = sceneOfSize(kElements, 1, kLines);
   const std::vector<double> velocities = logSpaced(1e-3, 1e3, 7);
-  const std::vector<ElementPoint> curve = literalCurve(scene, velocities, kLines, {}, {});
+  const std::vector<ElementPoint> curve = literalCurve(scene, velocities, kLines, {});
   const LineSource source(scene, 1);
   LiteralOptions whole;
   whole.steps = kPeriods * kElements;

@@ -72,7 +72,7 @@ TEST_P(ConvergedTable, Plateau) {
       {});
   for (std::size_t j = 0; j < 3; ++j) {
     const Estimate plateau =
-        jackknife(means.groups(), [&](int out) { return findPlateau(means, j, out).normalizedMu; });
+        jackknife(means.groups(), [&](int out) { return findPlateau(means, j, out).value; });
     const double expected = GetParam().plateau[j];
     EXPECT_NEAR(plateau.value, expected, allowed(plateau, expected)) << j;
     // The maximum lies inside the velocities that are looked at.

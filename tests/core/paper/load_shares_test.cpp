@@ -14,7 +14,7 @@ LoadShares sharesAt(const Scene& scene, double force, std::vector<double> veloci
                     std::int64_t lines = 1, int threads = 1) {
   GroupedMeansOptions options;
   options.threads = threads;
-  return {scene, {{{LoadKind::Force, force, 0}, std::move(velocities)}}, lines, options};
+  return {scene, {atForce(force, std::move(velocities))}, lines, options};
 }
 
 /// p = 4 G (d - z) + 4 eta v z' everywhere: the springs carry all, for the mean of z' is 0, and the
