@@ -90,10 +90,6 @@ Curve computeCurveAt(Scene scene, double velocity, const CurveOptions& options) 
   return computeCurve(scene, options);
 }
 
-CurvePoint computePoint(const Scene& scene, double velocity, const CurveOptions& options) {
-  return computeCurveAt(scene, velocity, options).points.front();
-}
-
 std::optional<Message> missedTarget(const Curve& curve) {
   if (curve.isTargetMet) return std::nullopt;
   constexpr double kLargePart = 0.5;

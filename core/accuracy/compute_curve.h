@@ -35,9 +35,6 @@ Curve computeCurve(const Scene& scene, const CurveOptions& options = {});
 /// Returns the curve at this velocity (m/s) alone, which replaces the scene's sweep.
 Curve computeCurveAt(Scene scene, double velocity, const CurveOptions& options = {});
 
-/// Returns the only point of that curve.
-CurvePoint computePoint(const Scene& scene, double velocity, const CurveOptions& options = {});
-
 /// Returns the sentence that says why a curve misses its target, with the achieved error; nothing
 /// where it does not.
 std::optional<Message> missedTarget(const Curve& curve);

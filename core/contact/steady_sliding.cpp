@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/statistics.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/kernels/kernels.h"
 #include "core/contact/kernels/resolved_pass.h"
@@ -52,7 +52,6 @@ Interface interfaceAt(const Scene& scene, double velocity) {
 
 SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth, const PassSums& sums) {
-  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const double stiffness = 4 * conditions.shearModulus;
   // The dissipation has only positive terms, so of the two ways to the tangential force it keeps
   // its digits where friction is small. The paper's nodes have only Eqs. (3) and (4).
@@ -66,12 +65,12 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   result.normalForce = stiffness * normal;
   result.tangentialForce = stiffness * tangential;
   // Without a normal force there is no coefficient.
-  result.mu = normal != 0 ? tangential / normal : kNotANumber;
+  result.mu = normal != 0 ? tangential / normal : kNaN;
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
   // A closed line has as many contact spots as gaps.
   result.contactSpots = sums.contactLength > 0 ? std::max(sums.gaps, 1.0) : 0;
   result.rmsSlopeContact =
-      sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotANumber;
+      sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNaN;
   result.powerIn = stiffness * sums.work * conditions.velocity;
   result.powerDissipated = stiffness * dissipation * conditions.velocity;
   result.forceFromDepth = stiffness * sums.depth;
@@ -153,8 +152,8 @@ SlidingConditions slidingConditions(const ElementLaw& law, double velocity) {
 }
 
 SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& conditions,
-                         const Load& load, double guess) {
-  return load.kind == LoadKind::Force ? slideAtForce(line, conditions, load.normalForce, guess)
+                         const Load& load) {
+  return load.kind == LoadKind::Force ? slideAtForce(line, conditions, load.normalForce)
                                       : slideAtDepth(line, conditions, load.depth);
 }
 

@@ -95,7 +95,7 @@ inline SlidingConditions slidingConditions(const Scene& scene, double velocity) 
 
 /// Slides at the scene's load of either kind.
 SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& conditions,
-                         const Load& load, double guess = 0);
+                         const Load& load);
 
 /// Returns the shape of the elastomer at that indentation, at the line's nodes in order of travel.
 NodeShape shapeAt(const PreparedProfile& line, const SlidingConditions& conditions, double depth);

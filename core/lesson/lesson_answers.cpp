@@ -32,13 +32,7 @@ double finite(double value, std::string_view column) {
 }
 
 double stateValue(const Scene& scene, const std::string& column, const CurveOptions& options) {
-  const Curve curve = [&] {
-    Scene one = scene;
-    one.sweep = {};
-    one.sweep.velocityFrom = one.sweep.velocityTo = scene.sliding.velocity;
-    one.sweep.points = 1;
-    return computeCurve(one, options);
-  }();
+  const Curve curve = computeCurveAt(scene, scene.sliding.velocity, options);
   if (!curve.isComplete) throw StopRequested{};
   return finite(curveValue(curve.points.front(), column), column);
 }

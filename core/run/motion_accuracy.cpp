@@ -218,13 +218,13 @@ Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
   return prediction;
 }
 
-ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop) {
+ErrorBudget measureMotionError(const Scene& scene) {
   const auto rigid = std::make_shared<const RigidLine>(scene);
   const double steps = Transient(scene, rigid).countSteps();
-  return measure(scene, rigid, pieceOf(scene, steps, 1), stop).error;
+  return measure(scene, rigid, pieceOf(scene, steps, 1), {}).error;
 }
 
-void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
+void addMarchErrors(WorkPrecision& comparison) {
   for (RegionPrecision& region : comparison.regions) {
     Piece piece{comparison.scene};
     // The march has the points of the line that it is compared with.
@@ -240,9 +240,9 @@ void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
     sliding.duration = steps * rigid->line->spacing / sliding.velocity;
     piece.leastSteps = 1;  // one node per step
     piece.windows = std::floor(steps / kWindow);
-    const March march = marchThrough(piece, rigid, 1, stop);
-    region.timeStepError = relativeDifference(march.mu, marchThrough(piece, rigid, 2, stop).mu);
-    region.settlingError = settlingOf(piece.scene, rigid, piece.leastSteps, 2 * kPieceWork, stop);
+    const March march = marchThrough(piece, rigid, 1, {});
+    region.timeStepError = relativeDifference(march.mu, marchThrough(piece, rigid, 2, {}).mu);
+    region.settlingError = settlingOf(piece.scene, rigid, piece.leastSteps, 2 * kPieceWork, {});
   }
 }
 

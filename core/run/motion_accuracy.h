@@ -25,11 +25,11 @@ namespace asperity {
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop = {});
 
 /// Returns the same differences over the whole motion.
-ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop = {});
+ErrorBudget measureMotionError(const Scene& scene);
 
 /// Adds the two errors that only a march has, in each region of a comparison, at its middle
 /// velocity.
-void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop = {});
+void addMarchErrors(WorkPrecision& comparison);
 
 /// Returns predictCurve for steady sliding, predictMotion for other motions.
 Prediction predictRun(const Scene& scene, int threads = 0, const std::stop_token& stop = {});

@@ -136,10 +136,11 @@ double Transient::markAfter(double time) const {
   return time < motion_.jump() ? motion_.jump() : motion_.duration();
 }
 
-double Transient::countSteps(double most) const {
+double Transient::countSteps() const {
+  constexpr double kMostCounted = 2e5;
   double steps = 0;
   for (double time = time_; time < motion_.duration(); ++steps) {
-    if (steps > most) return estimateSteps();
+    if (steps > kMostCounted) return estimateSteps();
     const double mark = markAfter(time), dt = stepAt(time);
     time = dt >= (mark - time) * (1 - kRounding) ? mark : time + dt;
   }

@@ -38,9 +38,9 @@ class Transient {
   bool canReach(double time) const;
 
   /// Returns the number of steps from here to the motion's end, counted one by one without
-  /// marching; where they are more than `most`, estimated from the length of steps at several times
-  /// of the motion.
-  double countSteps(double most = 2e5) const;
+  /// marching; where they are very many, estimated from the length of steps at several times of the
+  /// motion.
+  double countSteps() const;
 
   /// Marches the same motion also on coarser lines (of every second and every fourth node, or every
   /// third and ninth ...; each begins at another node), and estimates from the differences the

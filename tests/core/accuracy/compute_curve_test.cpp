@@ -53,7 +53,8 @@ void expectOwnCurves(const Scene& scene) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::string where = scene.sweep.key + "=" + std::to_string(values[i]);
     EXPECT_EQ(curve.points[i].swept, values[i]) << where;
-    expectSame(curve.points[i], computePoint(sceneAt(scene, values[i]), scene.sliding.velocity),
+    expectSame(curve.points[i],
+               computeCurveAt(sceneAt(scene, values[i]), scene.sliding.velocity).points.front(),
                where);
   }
 }
@@ -85,7 +86,8 @@ TEST(CurveOverAnyKey, OverTemperatureFrictionIsThatOfTheShiftedVelocity) {
   reference.elastomer.temperature = reference.elastomer.shift.referenceTemperature;
   for (const CurvePoint& point : computeCurve(scene).points) {
     const double shift = shiftFactor(scene.elastomer.shift, point.swept);
-    const CurvePoint shifted = computePoint(reference, scene.sliding.velocity * shift);
+    const CurvePoint shifted =
+        computeCurveAt(reference, scene.sliding.velocity * shift).points.front();
     EXPECT_NEAR(point.mu, shifted.mu, kRounding * shifted.mu) << point.swept;
   }
 }

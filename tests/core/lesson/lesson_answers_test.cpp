@@ -77,10 +77,12 @@ TEST(LessonAnswers, TheStepsOfALesson) {
   EXPECT_NEAR(choice.number.value, 2, 0.1);  // region I: proportional to v
   EXPECT_EQ(choice.choice, 1);
   ASSERT_EQ(choice.values.size(), 1U);
-  EXPECT_EQ(choice.values[0].second.value, computePoint(lesson.steps[0].revealedScene, 2e-4).mu);
+  EXPECT_EQ(choice.values[0].second.value,
+            computeCurveAt(lesson.steps[0].revealedScene, 2e-4).points.front().mu);
   const LessonAnswer number = lessonAnswer(lesson.steps[1]);
   EXPECT_EQ(number.number.unit, "m");
-  EXPECT_EQ(number.number.value, computePoint(lesson.steps[1].scene, 2e-4).indentation);
+  EXPECT_EQ(number.number.value,
+            computeCurveAt(lesson.steps[1].scene, 2e-4).points.front().indentation);
 }
 
 TEST(LessonAnswers, APointIsOnTheCurveOfItsStep) {
@@ -88,7 +90,7 @@ TEST(LessonAnswers, APointIsOnTheCurveOfItsStep) {
   json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "?"}, {"x", 1}};
   LessonStep step = lessonOf(json).steps[1];
   EXPECT_TRUE(step.show.hidesCurve);
-  EXPECT_EQ(lessonAnswer(step).number.value, computePoint(step.scene, 1).mu);
+  EXPECT_EQ(lessonAnswer(step).number.value, computeCurveAt(step.scene, 1).points.front().mu);
   EXPECT_EQ(lessonAnswer(step).x.value, 1);
   json["steps"][1]["prediction"].erase("x");
   step = lessonOf(json).steps[1];
