@@ -214,23 +214,20 @@ std::string writeLesson(const Lesson& lesson) {
   return jsonFile(toJson(lesson));
 }
 
-bool isLesson(std::string_view text) {
+bool isFileOfSchema(const std::filesystem::path& file, std::size_t limit,
+                    std::string_view beginning) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
   try {
-    const Json beginning = membersUpTo(text, "schema", kDeepestLesson);
-    return textMember(beginning, "schema").starts_with("asperity-lesson/");
+    const Json members = membersUpTo(readRegularFile(file, limit), "schema", kDeepestLesson);
+    return textMember(members, "schema").starts_with(beginning);
   } catch (const InputError&) {
     return false;
   }
 }
 
 bool isLessonFile(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  try {
-    return isLesson(readRegularFile(file, kLargestLesson));
-  } catch (const InputError&) {
-    return false;
-  }
+  return isFileOfSchema(file, kLargestLesson, "asperity-lesson/");
 }
 
 Lesson readNamedLesson(const std::string& name, const SceneReader& readNamed) {

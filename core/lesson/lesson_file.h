@@ -40,11 +40,8 @@ Lesson readDraftFile(const std::filesystem::path& file, const SceneReader& readN
 /// Returns the canonical text, which reads back to the same lesson.
 std::string writeLesson(const Lesson& lesson);
 
-/// Returns whether a text is meant to be a lesson: the schema of its outermost object is that of a
-/// lesson, of any version.
-bool isLesson(std::string_view json);
-
-/// Returns whether that holds for a regular file; false where it cannot be read.
+/// Returns whether a regular file is meant to be a lesson: the schema of its outermost object is
+/// that of a lesson, of any version; false where it cannot be read.
 bool isLessonFile(const std::filesystem::path& file);
 
 /// The shipped lessons: the files of resources/lessons as they are.

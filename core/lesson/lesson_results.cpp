@@ -11,6 +11,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/statistics.h"
 #include "core/lesson/lesson_json.h"
 #include "core/scene/data_table.h"
 
@@ -33,7 +34,7 @@ Json answerJson(PredictionKind kind, int choice, double number, double x) {
 }
 
 double numberOrNone(const Json& json, const std::string& path) {
-  if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (json.is_null()) return kNaN;
   if (!json.is_number()) refuseMember(path, "needs a number or null");
   return json.get<double>();
 }
@@ -148,15 +149,7 @@ LessonResults parseResults(std::string_view text, const std::string& file) {
 }
 
 bool isResultsFile(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  try {
-    const Json beginning =
-        membersUpTo(readRegularFile(file, kLargestResults), "schema", kDeepestResults);
-    return textMember(beginning, "schema").starts_with(kAnyVersion);
-  } catch (const InputError&) {
-    return false;
-  }
+  return isFileOfSchema(file, kLargestResults, kAnyVersion);
 }
 
 LessonResults readResultsFile(const std::filesystem::path& file) {

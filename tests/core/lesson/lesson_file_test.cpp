@@ -219,10 +219,16 @@ TEST(LessonFile, ScenesAreFilesBesideTheLessonOrAreFoundByTheReader) {
 }
 
 TEST(LessonFile, IsToldFromOtherFiles) {
+  TemporaryFolder folder;
+  const auto isLesson = [&folder](const std::string& text) {
+    folder.write("file.json", text);
+    return isLessonFile(folder.path() / "file.json");
+  };
   EXPECT_TRUE(isLesson(sampleLesson().dump()));
   EXPECT_FALSE(isLesson(R"({"schema": "asperity-scene/1"})"));
   EXPECT_FALSE(isLesson("no JSON"));
   EXPECT_FALSE(isLesson(""));
+  EXPECT_FALSE(isLessonFile(folder.path()));
   EXPECT_THROW(readNamedLesson("no_such_lesson"), InputError);
 }
 
