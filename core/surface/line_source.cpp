@@ -190,9 +190,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
   if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes(scene);
   if (isRough(surface_)) transform_.emplace(nodes_);
   if (surface_.kind == SurfaceKind::Measured && !isRandom_) {
-    profile_ = measured_->modes(0);
-    const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
-    if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
+    profile_ = carried(measured_->modes(0));
   }
   if (isRandom()) {
     const FourierLine modes = spectrum(0);
@@ -204,6 +202,13 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
       only_ = makeShape();
     statistics_ = {only_.rmsHeight, only_.rmsSlope};
   }
+}
+
+/// Returns the modes that the elements can represent.
+FourierLine LineSource::carried(FourierLine modes) const {
+  const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
+  if (modes.coefficients.size() > most) modes.coefficients.resize(most);
+  return modes;
 }
 
 /// The coefficient of exp(i q x) is half of the amplitude of the cosine.
@@ -221,9 +226,7 @@ void LineSource::setAmplitudes(const Scene& scene) {
 void LineSource::setProfile(const Profile& profile) {
   length_ = profileLength(surface_, profile.length);
   if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
-  profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
-  const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
-  if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
+  profile_ = carried(FourierTransform(profile.height.size()).analyse(profile.height, length_));
 }
 
 void LineSource::setMeasured(const Scene& scene) {
@@ -298,9 +301,7 @@ void LineSource::spectrumInto(FourierLine& line, std::int64_t number) const {
     return;
   }
   if (measured_ && !hasRandomPhases(surface_)) {
-    line = measured_->modes(rowOf(number));
-    const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
-    if (line.coefficients.size() > most) line.coefficients.resize(most);
+    line = carried(measured_->modes(rowOf(number)));
     return;
   }
   line.length = length_;

@@ -94,6 +94,7 @@ class LineSource {
   void setProfile(const Profile& profile);
   void setMeasured(const Scene& scene);
   void setSpectrum(const Scene& scene);
+  FourierLine carried(FourierLine modes) const;
   Line makeShape() const;
   void spectrumInto(FourierLine& line, std::int64_t number) const;
   bool setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,
