@@ -61,7 +61,6 @@ SurfaceDraft readGsf(const SurfaceSource& source) {
   const GsfHeader header(source, source.bytes.substr(kGsfMagic.size(), end - kGsfMagic.size()));
 
   SurfaceDraft draft;
-  draft.facts.format = "gsf";
   Topography& grid = draft.grid;
   grid.columns = header.count("XRes");
   grid.rows = header.count("YRes");

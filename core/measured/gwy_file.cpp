@@ -218,17 +218,17 @@ SurfaceDraft readGwyFile(const SurfaceSource& source, bool masksAreGaps) {
   const DataField field = readDataField(source, *channel.component);
 
   SurfaceDraft draft;
-  draft.facts.format = "gwy";
   draft.facts.heightColumn = shortened(channelTitle(components, channel));
   if (channels.size() > 1)
     draft.facts.notes.push_back(
         message("The channel '{}' is read, the file has {}; surface.height_column chooses another.",
                 draft.facts.heightColumn, channels.size()));
   Topography& grid = draft.grid;
-  grid.columns = field.columns;
-  grid.rows = field.rows;
-  grid.columnSpacing = field.width / static_cast<double>(field.columns);
-  grid.rowSpacing = field.height / static_cast<double>(field.rows);
+  grid = {field.columns,
+          field.rows,
+          field.width / static_cast<double>(field.columns),
+          field.height / static_cast<double>(field.rows),
+          {}};
   draft.positionUnit = statedUnit(source, "xy", field.positionUnit);
   draft.heightUnit = statedUnit(source, "z", field.heightUnit);
   const auto points = static_cast<std::size_t>(field.columns * field.rows);

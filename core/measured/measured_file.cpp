@@ -104,7 +104,10 @@ SurfaceDraft readDraft(const SurfaceSource& source) {
   } else {
     format = detectFormat(source);
   }
-  return format != nullptr ? format->read(source) : readTextSurface(source);
+  if (format == nullptr) return readTextSurface(source);
+  SurfaceDraft draft = format->read(source);
+  draft.facts.format = format->word;
+  return draft;
 }
 
 // ---- Units -------------------------------------------------------------------------------------

@@ -115,7 +115,6 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
                 shape.front(), shape.back()));
 
   SurfaceDraft draft;
-  draft.facts.format = "npy";
   draft.hasPositions = false;
   const bool isColumnByColumn = shape.size() == 2 && header.isFortran();
   Topography stored;

@@ -54,11 +54,7 @@ SurfaceDraft makeDraft(const SurfaceSource& source, const SdfHeader& header) {
   if (!isKnownType(header.dataType))
     source.fail(message("{} {} is not known", "DataType", header.dataType));
   SurfaceDraft draft;
-  draft.facts.format = "sdf";
-  draft.grid.columns = header.columns;
-  draft.grid.rows = header.rows;
-  draft.grid.columnSpacing = header.xScale;
-  draft.grid.rowSpacing = header.yScale;
+  draft.grid = {header.columns, header.rows, header.xScale, header.yScale, {}};
   draft.positionUnit = draft.heightUnit = StatedUnit{"m", 1};
   return draft;
 }

@@ -119,7 +119,6 @@ std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_
 /// Makes a draft with the grid of the header, without heights.
 SurfaceDraft makeDraft(const SurfaceSource& source, SurHeader& header) {
   SurfaceDraft draft;
-  draft.facts.format = "sur";
   Topography& grid = draft.grid;
   grid.columns = header.columns;
   grid.rows = header.rows;

@@ -22,22 +22,15 @@ struct SurferHeader {
   double firstX = 0, lastX = 0, firstY = 0, lastY = 0;
 };
 
-SurfaceDraft makeDraft(std::int64_t columns, std::int64_t rows, double xStep, double yStep) {
-  SurfaceDraft draft;
-  draft.facts.format = "surfer";
-  draft.grid.columns = columns;
-  draft.grid.rows = rows;
-  draft.grid.columnSpacing = xStep;
-  draft.grid.rowSpacing = yStep;
-  return draft;
-}
-
 SurfaceDraft makeDraft(const SurferHeader& header) {
   const auto step = [](double first, double last, std::int64_t count) {
     return std::abs(last - first) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
   };
-  return makeDraft(header.columns, header.rows, step(header.firstX, header.lastX, header.columns),
-                   step(header.firstY, header.lastY, header.rows));
+  return {.grid = {header.columns,
+                   header.rows,
+                   step(header.firstX, header.lastX, header.columns),
+                   step(header.firstY, header.lastY, header.rows),
+                   {}}};
 }
 
 SurfaceDraft readText(const SurfaceSource& source) {
@@ -119,7 +112,7 @@ SurfaceDraft readSections(const SurfaceSource& source) {
     const auto xStep = header.read<double>(), yStep = header.read<double>();
     header.skip(3 * sizeof(double));  // lowest and highest z, rotation
     blank = header.read<double>();
-    draft = makeDraft(columns, rows, xStep, yStep);
+    draft.grid = {columns, rows, xStep, yStep, {}};
     hasGrid = true;
   }
   source.fail(message("has no block of heights; known are {}", "DATA"));

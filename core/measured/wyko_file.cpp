@@ -44,7 +44,6 @@ class WykoReader {
     requireSize(source_, columns, rows, reader_.left() + 1, 2);
     const double scale = inNanometres ? 1 : number("Wavelength") / number("Mult", 1);
     SurfaceDraft draft;
-    draft.facts.format = "wyko";
     draft.facts.heightColumn = std::string(block_);
     Topography along;  // each row is a column of the surface
     along.columns = rows;

@@ -330,15 +330,11 @@ class X3pReader {
 
   SurfaceDraft draft() {
     SurfaceDraft made;
-    made.facts.format = "x3p";
     made.facts.notes = std::move(notes_);
     made.positionUnit = made.heightUnit = StatedUnit{"m", 1};
     Topography& grid = made.grid;
-    grid.columns = columns_;
-    grid.rows = rows_;
-    grid.columnSpacing = std::abs(axes_[0].increment);
-    grid.rowSpacing = std::abs(axes_[1].increment);
-    grid.height = std::move(points_.z);
+    grid = {columns_, rows_, std::abs(axes_[0].increment), std::abs(axes_[1].increment),
+            std::move(points_.z)};
     if (axes_[0].isIncremental && !axes_[0].hasIncrement) {
       made.hasPositions = false;
       made.positionUnit.reset();

@@ -37,11 +37,9 @@ constexpr std::array kMagics{"\x88\x1B\x03\x6F"sv, "\x88\x1B\x03\x70"sv, "\x88\x
 /// Makes a draft with square pixels.
 SurfaceDraft makeDraft(std::int64_t columns, std::int64_t rows, double pixel) {
   SurfaceDraft draft;
-  draft.facts.format = "zygo";
-  draft.grid.columns = columns;
-  draft.grid.rows = rows;
   draft.hasPositions = pixel > 0;
-  draft.grid.columnSpacing = draft.grid.rowSpacing = draft.hasPositions ? pixel : 1;
+  const double spacing = draft.hasPositions ? pixel : 1;
+  draft.grid = {columns, rows, spacing, spacing, {}};
   if (draft.hasPositions) draft.positionUnit = StatedUnit{"m", 1};
   return draft;
 }
@@ -134,7 +132,7 @@ class ZygoTextReader {
 
   void readPoints(Topography& grid) {
     const auto points = static_cast<std::size_t>(grid.columns * grid.rows);
-    grid.height.assign(points, std::nan(""));
+    grid.height.assign(points, kMissingHeight);
     std::vector<bool> isTaken(points);
     const std::int64_t left = whole(4, 0), top = whole(4, 1);
     std::size_t taken = 0;
