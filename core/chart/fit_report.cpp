@@ -14,6 +14,7 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -148,22 +149,20 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
 
 std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
   const std::vector<MeasuredPoint> points = allPoints(data);
-  std::string text =
-      joinedColumns({"velocity", "normal_force", "nominal_pressure", "temperature", "mu_measured",
-                     "mu_error", "mu", "mu_standard_error", "mu_band", "measured_over_computed"}) +
-      "\n";
+  DataTable table{
+      columnNames({"velocity", "normal_force", "nominal_pressure", "temperature", "mu_measured",
+                   "mu_error", "mu", "mu_standard_error", "mu_band", "measured_over_computed"}),
+      {}};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double mu = totalMu(fit.computed[i]);
     // A nominal pressure was computed as a force.
     const double force =
         std::isnan(points[i].normalForce) ? fit.computed[i].normalForce : points[i].normalForce;
-    for (const double value :
-         {points[i].velocity, force, points[i].nominalPressure, points[i].temperature, points[i].mu,
-          points[i].muError, mu, fit.computedErrors[i], fit.bandErrors[i]})
-      text += csvNumber(value) + ",";
-    text += csvNumber(points[i].mu / mu) + "\n";
+    table.rows.push_back({points[i].velocity, force, points[i].nominalPressure,
+                          points[i].temperature, points[i].mu, points[i].muError, mu,
+                          fit.computedErrors[i], fit.bandErrors[i], points[i].mu / mu});
   }
-  return text;
+  return tableCsv(table);
 }
 
 std::vector<Message> describeFit(const Fit& fit) {

@@ -15,6 +15,7 @@
 #include "core/material/material_summary.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
 namespace {
@@ -369,15 +370,15 @@ DiagramSheet excitationSheet(const Scene& scene) {
 
 std::string excitationCsv(const Scene& scene, const Excitation& excitation) {
   const ElementLaw law = elementLaw(scene.elastomer);
-  std::string text = joinedColumns({"frequency", "storage_modulus", "loss_modulus", "loss_tangent",
-                                    "excitation_weight"}) +
-                     "\n";
+  DataTable table{columnNames({"frequency", "storage_modulus", "loss_modulus", "loss_tangent",
+                               "excitation_weight"}),
+                  {}};
   for (const Excitation::Weight& weight : excitation.weights(scene.sliding.velocity)) {
     const ComplexModulus modulus = complexModulus(law, 2 * std::numbers::pi * weight.frequency);
-    text += fmt::format("{},{},{},{},{}\n", weight.frequency, modulus.storage, modulus.loss,
-                        modulus.loss / modulus.storage, weight.weight);
+    table.rows.push_back({weight.frequency, modulus.storage, modulus.loss,
+                          modulus.loss / modulus.storage, weight.weight});
   }
-  return text;
+  return tableCsv(table);
 }
 
 nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& excitation) {
