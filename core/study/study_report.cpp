@@ -12,15 +12,12 @@
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string joined(const std::vector<std::string>& cells) {
-  return fmt::format("{}\n", fmt::join(cells, ","));
-}
 
 }  // namespace
 
@@ -65,66 +62,62 @@ Json analysisJson(const ParameterStudy& study, const StudyAnalysis& analysis) {
 }
 
 std::string indicesCsv(const ParameterStudy& study, const StudyAnalysis& analysis) {
-  std::string text = joinedColumns({"output", "key", "first_order", "first_order_low",
-                                    "first_order_high", "total_effect", "total_effect_low",
-                                    "total_effect_high", "correlation", "rank_correlation"}) +
-                     "\n";
+  DataTable table{columnNames({"output", "key", "first_order", "first_order_low",
+                               "first_order_high", "total_effect", "total_effect_low",
+                               "total_effect_high", "correlation", "rank_correlation"}),
+                  {}};
   for (const OutputAnalysis& output : analysis.outputs) {
-    const auto row = [&](const std::string& key, const SobolIndex* index,
-                         const ColumnEffect* effect) {
-      std::vector<std::string> cells{output.name, key};
-      for (const Estimate& estimate :
-           {index ? index->first : Estimate{}, index ? index->total : Estimate{}}) {
-        const double half = index ? index->halfInterval * estimate.standardError : kNotApplicable;
-        for (const double value : {estimate.value, estimate.value - half, estimate.value + half})
-          cells.push_back(csvNumber(value));
-      }
-      cells.push_back(csvNumber(effect ? effect->correlation : kNotApplicable));
-      cells.push_back(csvNumber(effect ? effect->rankCorrelation : kNotApplicable));
-      text += joined(cells);
+    const auto add = [&](const std::string& key, const SobolIndex& index,
+                         const ColumnEffect& effect) {
+      const double first = index.halfInterval * index.first.standardError;
+      const double total = index.halfInterval * index.total.standardError;
+      table.rows.push_back({output.name, key, index.first.value, index.first.value - first,
+                            index.first.value + first, index.total.value, index.total.value - total,
+                            index.total.value + total, effect.correlation, effect.rankCorrelation});
     };
     std::size_t column = 0;
     for (std::size_t a = 0; a < study.space.axes().size(); ++a) {
       const StudyAxis& axis = study.space.axes()[a];
-      const SobolIndex* index = a < output.indices.size() ? &output.indices[a] : nullptr;
-      if (axis.columns.size() > 1) row("rows", index, nullptr);
+      const SobolIndex index = a < output.indices.size() ? output.indices[a] : SobolIndex{};
+      if (axis.columns.size() > 1) add("rows", index, {});
       for (const StudyColumn& one : axis.columns)
-        row(std::string(one.key()), axis.columns.size() == 1 ? index : nullptr,
-            &output.effects[column++]);
+        add(std::string(one.key()), axis.columns.size() == 1 ? index : SobolIndex{},
+            output.effects[column++]);
     }
   }
-  return text;
+  return tableCsv(table);
 }
 
 std::string effectsCsv(const ParameterStudy& study, const StudyAnalysis& analysis) {
-  std::string text =
-      joinedColumns({"output", "key", "key_value", "mean", "mean_standard_error", "count"}) + "\n";
+  DataTable table{
+      columnNames({"output", "key", "key_value", "mean", "mean_standard_error", "count"}), {}};
   for (const OutputAnalysis& output : analysis.outputs)
-    for (const ColumnEffect& effect : output.effects)
-      for (const MainEffect& one : effect.means)
-        text += joined(
-            {output.name, std::string(study.space.column(effect.column).key()),
-             study.space.column(effect.column).hasWords() ? study.textAt(effect.column, one.x)
-                                                          : csvNumber(one.x),
-             csvNumber(one.mean), csvNumber(one.standardError), std::to_string(one.count)});
-  return text;
+    for (const ColumnEffect& effect : output.effects) {
+      const StudyColumn& column = study.space.column(effect.column);
+      for (const MainEffect& one : effect.means) {
+        const TableCell value =
+            column.hasWords() ? TableCell(study.textAt(effect.column, one.x)) : TableCell(one.x);
+        table.rows.push_back({output.name, std::string(column.key()), value, one.mean,
+                              one.standardError, one.count});
+      }
+    }
+  return tableCsv(table);
 }
 
 std::string percentilesCsv(const StudyAnalysis& analysis) {
-  std::string text = joinedColumns({"output", "sweep_value", "percentile_5", "percentile_25",
-                                    "percentile_50", "percentile_75", "percentile_95"}) +
-                     "\n";
-  const auto row = [&](const std::string& name, double at, const auto& percentiles) {
-    std::vector<std::string> cells{name, csvNumber(at)};
-    for (const double value : percentiles) cells.push_back(csvNumber(value));
-    text += joined(cells);
+  DataTable table{columnNames({"output", "sweep_value", "percentile_5", "percentile_25",
+                               "percentile_50", "percentile_75", "percentile_95"}),
+                  {}};
+  const auto add = [&](const std::string& name, double at, const auto& percentiles) {
+    std::vector<TableCell>& row = table.rows.emplace_back(std::vector<TableCell>{name, at});
+    row.insert(row.end(), percentiles.begin(), percentiles.end());
   };
   for (const OutputAnalysis& output : analysis.outputs)
-    row(output.name, kNotApplicable, output.percentiles);
+    add(output.name, kNotApplicable, output.percentiles);
   for (const CurveBand& band : analysis.bands)
     for (std::size_t v = 0; v < band.values.size(); ++v)
-      row(band.name, band.values[v], band.percentiles[v]);
-  return text;
+      add(band.name, band.values[v], band.percentiles[v]);
+  return tableCsv(table);
 }
 
 namespace {
