@@ -441,13 +441,10 @@ nlohmann::ordered_json measuredPoints(const MeasuredCurve& measured) {
 
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   for (const NamedCurve& curve : set.pinned) {
-    const std::vector<CurvePoint>* const curves[] = {&curve.points};
-    const CurveTable table(curves, columnsFor(curve.scene, showsForces(set)));
-    auto points = nlohmann::ordered_json::array();
-    for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
     nlohmann::ordered_json other{{"name", curve.name.english()}};
     if (std::isfinite(curve.familyValue)) other[set.familyKey] = curve.familyValue;
-    other["points"] = std::move(points);
+    other["points"] =
+        tableJson(curveTable(curve.points, columnsFor(curve.scene, showsForces(set))));
     answer[std::isfinite(curve.familyValue) ? "family" : "with"].push_back(std::move(other));
   }
   for (const TheoryCurve& theory : set.theories) {

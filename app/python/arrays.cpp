@@ -70,10 +70,7 @@ py::dict toColumns(const Json& rows) {
 }
 
 py::dict toColumns(const std::vector<CurvePoint>& points) {
-  const CurveTable table(points, {});
-  ColumnsOfRows columns;
-  for (const CurvePoint& point : points) columns.add(table.json(point));
-  return columns.take();
+  return toColumns(tableJson(CurveTable(points, {}).of(points)));
 }
 
 }  // namespace asperity

@@ -1,14 +1,11 @@
 #include "core/accuracy/work_precision_sheet.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
-#include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
@@ -151,23 +148,23 @@ Message comparisonSubtitle(const WorkPrecision& comparison) {
 }  // namespace
 
 std::string workPrecisionCsv(const WorkPrecision& comparison) {
-  std::string text =
-      joinedColumns({"region", "velocity_from", "velocity_to", "method", "oversampling",
-                     "relative_error", "largest_error", "is_model_difference", "seconds",
-                     "seconds_lower_quartile", "seconds_upper_quartile", "line_seconds",
-                     "seconds_with_line", "is_extrapolated", "is_on_front", "is_present_choice",
-                     "reference_error"}) +
-      "\n";
+  DataTable table{columnNames({"region", "velocity_from", "velocity_to", "method", "oversampling",
+                               "relative_error", "largest_error", "is_model_difference", "seconds",
+                               "seconds_lower_quartile", "seconds_upper_quartile", "line_seconds",
+                               "seconds_with_line", "is_extrapolated", "is_on_front",
+                               "is_present_choice", "reference_error"}),
+                  {}};
   const auto flag = [](bool is) { return std::int64_t{is}; };
   for (const RegionPrecision& region : comparison.regions)
     for (const WorkPrecisionPoint& point : region.points)
-      text += csvLine({region.region, region.velocities.front(), region.velocities.back(),
-                       std::string(methodWord(point.choice.method)), point.choice.oversampling,
-                       point.error, point.largest, flag(point.isDifference), point.seconds,
-                       point.lowerQuartile, point.upperQuartile, point.lineSeconds,
-                       point.secondsWithLine, flag(point.isExtrapolated), flag(point.isOnFront),
-                       flag(point.choice == comparison.present), region.referenceError});
-  return text;
+      table.rows.push_back({region.region, region.velocities.front(), region.velocities.back(),
+                            std::string(methodWord(point.choice.method)), point.choice.oversampling,
+                            point.error, point.largest, flag(point.isDifference), point.seconds,
+                            point.lowerQuartile, point.upperQuartile, point.lineSeconds,
+                            point.secondsWithLine, flag(point.isExtrapolated),
+                            flag(point.isOnFront), flag(point.choice == comparison.present),
+                            region.referenceError});
+  return tableCsv(table);
 }
 
 std::string workPrecisionJson(const WorkPrecision& comparison) {

@@ -1,7 +1,5 @@
 #include "core/chart/curve_set.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +7,6 @@
 #include <utility>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/material/temperature_shift.h"
@@ -102,10 +99,10 @@ namespace {
 
 /// Returns the family's column: the last word of its key, or the key where the table has a column
 /// of that name already.
-std::string familyColumn(const CurveSet& set, const std::string& header) {
+std::string familyColumn(const CurveSet& set, const std::vector<std::string>& header) {
   if (set.familyKey.empty()) return {};
   const std::string word(columnOfKey(set.familyKey));
-  return ("," + header + ",").find("," + word + ",") == std::string::npos ? word : set.familyKey;
+  return std::ranges::find(header, word) == header.end() ? word : set.familyKey;
 }
 
 std::vector<const std::vector<CurvePoint>*> pointsOfCurves(const CurveSet& set) {
@@ -119,8 +116,8 @@ class CurveSetTable {
  public:
   explicit CurveSetTable(const CurveSet& set)
       : set_(set),
-        table_(pointsOfCurves(set), columnsFor(set.present.scene, showsForces(set))),
-        family_(familyColumn(set, table_.header())),
+        curve_(pointsOfCurves(set), columnsFor(set.present.scene, showsForces(set))),
+        family_(familyColumn(set, curve_.header())),
         isReduced_(set.isReduced && set.isOfVelocity()),
         present_(sharedBy(set.present.scene, valueInFamily(set.present.scene))),
         factors_(axesFactors(set.present.points, CurveAxes::Dimensionless)) {}
@@ -138,7 +135,7 @@ class CurveSetTable {
                sharedBy(curve.scene,
                         std::isnan(curve.familyValue) ? present_.familyValue : curve.familyValue));
     if (set_.difference) addDifference(*set_.difference);
-    return text_;
+    return tableCsv(table_);
   }
 
  private:
@@ -161,29 +158,30 @@ class CurveSetTable {
   bool isOfTemperature() const { return family_ == "temperature"; }
 
   void addHeader() {
-    text_ = joinedColumns({"series"}) + ",";
-    if (!family_.empty()) text_ += family_ + ",";
-    text_ += table_.header();
-    if (isReduced_) text_ += "," + joinedColumns({"reduced_velocity"});
-    if (isReduced_ && !isOfTemperature()) text_ += "," + joinedColumns({"temperature"});
-    if (set_.difference)
-      text_ += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
-    text_ += "\n";
+    std::vector<std::string> own = columnNames({"series"});
+    if (!family_.empty()) own.push_back(family_);
+    table_.columns = curve_.header(std::move(own));
+    const auto add = [this](ColumnName name) { table_.columns.push_back(name.text()); };
+    if (isReduced_) add("reduced_velocity");
+    if (isReduced_ && !isOfTemperature()) add("temperature");
+    if (!set_.difference) return;
+    add("relative_difference");
+    add("relative_difference_standard_error");
   }
 
   void addRow(const std::string& series, const CurvePoint& point, const Shared& shared,
               const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
-    text_ += csvCell(series) + ",";
-    if (!family_.empty()) text_ += csvNumber(shared.familyValue) + ",";
-    text_ += table_.row(point);
-    if (isReduced_) text_ += "," + csvNumber(point.velocity * shared.reduction);
-    if (isReduced_ && !isOfTemperature()) text_ += "," + csvNumber(shared.temperature);
-    if (set_.difference)
-      text_ += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
-                                        csvNumber(difference->standardError))
-                          : ",,";
-    text_ += "\n";
+    std::vector<TableCell> row{series};
+    if (!family_.empty()) row.emplace_back(shared.familyValue);
+    row = curve_.row(point, std::move(row));
+    if (isReduced_) row.emplace_back(point.velocity * shared.reduction);
+    if (isReduced_ && !isOfTemperature()) row.emplace_back(shared.temperature);
+    if (set_.difference) {
+      row.emplace_back(difference ? difference->relative : kNotApplicable);
+      row.emplace_back(difference ? difference->standardError : kNotApplicable);
+    }
+    table_.rows.push_back(std::move(row));
   }
 
   void addCurve(const std::string& series, const NamedCurve& curve, const Shared& shared) {
@@ -260,12 +258,12 @@ class CurveSetTable {
   }
 
   const CurveSet& set_;
-  CurveTable table_;
+  CurveTable curve_;
   std::string family_;  // the column of the family; empty: none
   bool isReduced_;
   Shared present_;  // of the present curve, and of what is compared with it
   AxesFactors factors_;
-  std::string text_;
+  DataTable table_;
 };
 
 }  // namespace

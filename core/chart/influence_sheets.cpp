@@ -27,8 +27,18 @@ DataTable sensitivityTable(const std::vector<Exponent>& all) {
   return table;
 }
 
-constexpr ColumnName kWavelength = "cutoff_wavelength", kShare = "share_of_decade",
-                     kShareError = "share_of_decade_standard_error";
+DataTable cutoffTable(const std::vector<CutoffPoint>& points) {
+  std::vector<CurvePoint> states;
+  for (const CutoffPoint& point : points) states.push_back(point.state);
+  const CurveTable curve(states, {});
+  DataTable table{curve.header(columnNames(
+                      {"cutoff_wavelength", "share_of_decade", "share_of_decade_standard_error"})),
+                  {}};
+  for (const CutoffPoint& point : points)
+    table.rows.push_back(curve.row(point.state, {point.wavelength, point.shareOfDecade.value,
+                                                 point.shareOfDecade.standardError}));
+  return table;
+}
 
 DiagramAxis wavelengthAxis() {
   return {"short-wave cut-off \u03BB", "m", AxisScale::Logarithmic};
@@ -149,17 +159,6 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
   return sheet;
 }
 
-namespace {
-
-/// Returns the columns of the states at all cut-offs.
-CurveTable stateTable(const std::vector<CutoffPoint>& points) {
-  std::vector<CurvePoint> states;
-  for (const CutoffPoint& point : points) states.push_back(point.state);
-  return {states, {}};
-}
-
-}  // namespace
-
 std::vector<Message> describeCutoff(const std::vector<CutoffPoint>& points) {
   constexpr double kNegligible = 0.1;  // share of a decade
   std::vector<Message> lines;
@@ -188,28 +187,12 @@ std::vector<Message> describeCutoff(const std::vector<CutoffPoint>& points) {
 }
 
 std::string cutoffCsv(const std::vector<CutoffPoint>& points) {
-  const CurveTable table = stateTable(points);
-  std::string text = kWavelength.text() + "," + kShare.text() + "," + kShareError.text() + "," +
-                     table.header() + "\n";
-  for (const CutoffPoint& point : points)
-    text += fmt::format("{},{},{},{}\n", point.wavelength, csvNumber(point.shareOfDecade.value),
-                        csvNumber(point.shareOfDecade.standardError), table.row(point.state));
-  return text;
+  return tableCsv(cutoffTable(points));
 }
 
 std::string cutoffJson(const Scene& scene, const std::vector<CutoffPoint>& points) {
-  const CurveTable table = stateTable(points);
   Json root = provenance("cutoff", scene);
-  Json rows = Json::array();
-  for (const CutoffPoint& point : points) {
-    Json row;
-    row[kWavelength.text()] = point.wavelength;
-    row[kShare.text()] = numberOrNull(point.shareOfDecade.value);
-    row[kShareError.text()] = numberOrNull(point.shareOfDecade.standardError);
-    row.update(table.json(point.state));
-    rows.push_back(std::move(row));
-  }
-  root["points"] = std::move(rows);
+  root["points"] = tableJson(cutoffTable(points));
   return jsonFile(root);
 }
 

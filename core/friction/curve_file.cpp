@@ -1,14 +1,11 @@
 #include "core/friction/curve_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/base/json_text.h"
-#include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
@@ -164,53 +161,46 @@ double CurveTable::extraValue(std::size_t i, const CurvePoint& point) const {
   return columns_.hasForces && column.withForces ? column.withForces(point) : column.value(point);
 }
 
-std::string CurveTable::header() const {
-  std::string text;
-  if (!isOfVelocity()) text = std::string(columns_.sweptColumn()) + ",";
+std::vector<std::string> CurveTable::header(std::vector<std::string> own) const {
+  std::vector<std::string> names = std::move(own);
+  if (!isOfVelocity()) names.emplace_back(columns_.sweptColumn());
   for (const CurveColumn& column : kCurveColumns)
-    if (!isLeftOut(column.name)) text += column.name.text() + ",";
-  text += kRealizations.text();
-  for (const std::size_t i : extra_) text += "," + kExtraColumns[i].name.text();
-  return hasNotes_ ? text + "," + kNotesColumn.text() : text;
+    if (!isLeftOut(column.name)) names.push_back(column.name.text());
+  names.push_back(kRealizations.text());
+  for (const std::size_t i : extra_) names.push_back(kExtraColumns[i].name.text());
+  if (hasNotes_) names.push_back(kNotesColumn.text());
+  return names;
 }
 
-std::string CurveTable::row(const CurvePoint& point) const {
-  std::string text;
-  if (!isOfVelocity()) text = csvNumber(point.swept) + ",";
+std::vector<TableCell> CurveTable::row(const CurvePoint& point, std::vector<TableCell> own) const {
+  std::vector<TableCell> cells = std::move(own);
+  if (!isOfVelocity()) cells.emplace_back(point.swept);
   for (const CurveColumn& column : kCurveColumns)
-    if (!isLeftOut(column.name)) text += csvNumber(point.*column.member) + ",";
-  text += point.realizations > 0 ? fmt::format("{}", point.realizations) : std::string();
-  for (const std::size_t i : extra_) text += "," + csvNumber(extraValue(i, point));
-  return hasNotes_ ? text + "," + pointNotes(point) : text;
+    if (!isLeftOut(column.name)) cells.emplace_back(point.*column.member);
+  cells.push_back(point.realizations > 0 ? TableCell(point.realizations) : kNotApplicable);
+  for (const std::size_t i : extra_) cells.emplace_back(extraValue(i, point));
+  if (hasNotes_) cells.emplace_back(pointNotes(point));
+  return cells;
 }
 
-nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
-  using Json = nlohmann::ordered_json;
-  Json row;
-  if (!isOfVelocity()) row[std::string(columns_.sweptColumn())] = numberOrNull(point.swept);
-  for (const CurveColumn& column : kCurveColumns)
-    if (!isLeftOut(column.name)) row[column.name.text()] = numberOrNull(point.*column.member);
-  row[kRealizations.text()] = point.realizations;
-  for (const std::size_t i : extra_)
-    row[kExtraColumns[i].name.text()] = numberOrNull(extraValue(i, point));
-  if (hasNotes_) row[kNotesColumn.text()] = pointNotes(point);
-  return row;
+DataTable CurveTable::of(const std::vector<CurvePoint>& points) const {
+  DataTable table{header(), {}};
+  for (const CurvePoint& point : points) table.rows.push_back(row(point));
+  return table;
+}
+
+DataTable curveTable(const std::vector<CurvePoint>& points, const CurveColumns& columns) {
+  const std::vector<CurvePoint>* const curves[] = {&points};
+  return CurveTable(curves, columns).of(points);
 }
 
 std::string curveCsv(const std::vector<CurvePoint>& points, const CurveColumns& columns) {
-  const std::vector<CurvePoint>* const curves[] = {&points};
-  const CurveTable table(curves, columns);
-  std::string text = table.header() + "\n";
-  for (const CurvePoint& point : points) text += table.row(point) + "\n";
-  return text;
+  return tableCsv(curveTable(points, columns));
 }
 
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene, bool hasForces) {
-  const std::vector<CurvePoint>* const curves[] = {&points};
-  const CurveTable table(curves, columnsFor(scene, hasForces));
   nlohmann::ordered_json root = provenance("curve", scene);
-  root["points"] = nlohmann::ordered_json::array();
-  for (const CurvePoint& point : points) root["points"].push_back(table.json(point));
+  root["points"] = tableJson(curveTable(points, columnsFor(scene, hasForces)));
   return jsonFile(root);
 }
 

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,10 +59,12 @@ class CurveTable {
   /// left out.
   CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without);
 
-  /// Return names and cells of one row, separated by commas, without a line end.
-  std::string header() const;
-  std::string row(const CurvePoint& point) const;
-  nlohmann::ordered_json json(const CurvePoint& point) const;
+  /// Return the names of the columns and the cells of one row, after those of a table's own.
+  std::vector<std::string> header(std::vector<std::string> own = {}) const;
+  std::vector<TableCell> row(const CurvePoint& point, std::vector<TableCell> own = {}) const;
+
+  /// Returns the table of these points.
+  DataTable of(const std::vector<CurvePoint>& points) const;
 
  private:
   bool isLeftOut(std::string_view column) const;
@@ -76,7 +77,8 @@ class CurveTable {
   bool hasNotes_ = false;
 };
 
-/// Returns the table, with a column of notes where a point has one.
+/// Returns the table of a curve, with a column of notes where a point has one.
+DataTable curveTable(const std::vector<CurvePoint>& points, const CurveColumns& columns);
 std::string curveCsv(const std::vector<CurvePoint>& points, const CurveColumns& columns = {});
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
                       bool hasForces = false);

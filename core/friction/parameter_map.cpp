@@ -130,12 +130,6 @@ std::array<std::string, 2> keyColumns(const ParameterMap& map) {
   return names;
 }
 
-/// Returns the columns of the table without those that the keys have already.
-CurveTable makeCurveTable(const ParameterMap& map) {
-  const auto names = keyColumns(map);
-  return {map.points, {names.begin(), names.end()}};
-}
-
 Json axisJson(const MapAxis& axis) {
   return {{"key", axis.key()},
           {"from", axis.values.front()},
@@ -309,45 +303,31 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
 
 namespace {
 
-/// Returns the exponents of all cells where they are the quantity; else nothing.
-std::vector<double> exponentColumn(const ParameterMap& map, std::string_view quantity) {
-  return quantity == kExponent ? mapValues(map, quantity) : std::vector<double>();
+DataTable mapTable(const ParameterMap& map, std::string_view quantity) {
+  const auto names = keyColumns(map);
+  // What the keys have already is not repeated.
+  const CurveTable curve(map.points, {names.begin(), names.end()});
+  DataTable table{curve.header({names.begin(), names.end()}), {}};
+  const std::size_t columns = map.x.values.size();
+  for (std::size_t k = 0; k < map.points.size(); ++k)
+    table.rows.push_back(
+        curve.row(map.points[k], {map.x.values[k % columns], map.y.values[k / columns]}));
+  if (quantity != kExponent) return table;
+  table.columns.push_back(kExponent.text());
+  const std::vector<double> exponents = mapValues(map, quantity);
+  for (std::size_t k = 0; k < exponents.size(); ++k) table.rows[k].emplace_back(exponents[k]);
+  return table;
 }
 
 }  // namespace
 
 std::string mapCsv(const ParameterMap& map, std::string_view quantity) {
-  const auto names = keyColumns(map);
-  const CurveTable table = makeCurveTable(map);
-  const std::vector<double> exponent = exponentColumn(map, quantity);
-  std::string text = names[0] + "," + names[1] + "," + table.header() +
-                     (!exponent.empty() ? "," + kExponent.text() : std::string()) + "\n";
-  const std::size_t columns = map.x.values.size();
-  for (std::size_t k = 0; k < map.points.size(); ++k) {
-    text += fmt::format("{},{},{}", map.x.values[k % columns], map.y.values[k / columns],
-                        table.row(map.points[k]));
-    if (!exponent.empty()) text += "," + csvNumber(exponent[k]);
-    text += '\n';
-  }
-  return text;
+  return tableCsv(mapTable(map, quantity));
 }
 
 std::string mapJson(const ParameterMap& map, std::string_view quantity) {
-  const auto names = keyColumns(map);
-  const CurveTable table = makeCurveTable(map);
-  const std::vector<double> exponent = exponentColumn(map, quantity);
   Json root = mapProvenance(map, quantity);
-  Json points = Json::array();
-  const std::size_t columns = map.x.values.size();
-  for (std::size_t k = 0; k < map.points.size(); ++k) {
-    Json row;
-    row[names[0]] = map.x.values[k % columns];
-    row[names[1]] = map.y.values[k / columns];
-    row.update(table.json(map.points[k]));
-    if (!exponent.empty()) row[kExponent.text()] = numberOrNull(exponent[k]);
-    points.push_back(std::move(row));
-  }
-  root["points"] = std::move(points);
+  root["points"] = tableJson(mapTable(map, quantity));
   return jsonFile(root);
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/friction/law.h"
 #include "core/paper/figure_parts.h"

@@ -229,15 +229,14 @@ Diagram frictionDiagram() {
   return {.x = {"sliding velocity v", "m/s"}, .y = {"normalized friction \u03BC/\u2207z", ""}};
 }
 
-std::string tableHeader(std::initializer_list<ColumnName> lead) {
-  return joinedColumns(lead) + "," + CurveTable().header() + "\n";
+DataTable curvesTable(std::initializer_list<ColumnName> own) {
+  return {CurveTable().header(columnNames(own)), {}};
 }
 
-std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead) {
-  std::string text;
+void addCurve(DataTable& table, const GroupedMeans& means, std::size_t j,
+              const std::vector<TableCell>& own) {
   for (std::size_t i = 0; i < means.velocities(j).size(); ++i)
-    text += lead + CurveTable().row(means.point(j, i)) + "\n";
-  return text;
+    table.rows.push_back(CurveTable().row(means.point(j, i), own));
 }
 
 Message parameterLine(const Scene& scene, const FigureEntry& entry) {

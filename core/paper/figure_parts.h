@@ -18,6 +18,7 @@
 #include "core/friction/jackknife.h"
 #include "core/paper/figure.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
 
@@ -128,11 +129,12 @@ DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name);
 /// Returns a diagram with the axes of these series, and no series yet.
 Diagram frictionDiagram();
 
-/// Returns the header of a table with these columns before those of a curve.
-std::string tableHeader(std::initializer_list<ColumnName> lead);
+/// Returns a table without rows that has these columns before those of a curve.
+DataTable curvesTable(std::initializer_list<ColumnName> own);
 
-/// Returns the rows of a table for force j; each begins with `lead` ("0.7,").
-std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead);
+/// Adds the curve of force j; each row begins with these cells.
+void addCurve(DataTable& table, const GroupedMeans& means, std::size_t j,
+              const std::vector<TableCell>& own);
 
 /// Returns "H = 0.7, h = 500 nm, ...": the parameters that the figure does not vary.
 Message parameterLine(const Scene& scene, const FigureEntry& entry);

@@ -1,6 +1,4 @@
 // Fig. 4: twenty normal forces; partial contact (zone 1) and complete contact (zone 2).
-#include <fmt/format.h>
-
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
 
@@ -40,9 +38,10 @@ void addForcesFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, 20 + kZoneClaimsCost);
   const GroupedMeans means =
       work.computeMeans(figure.scene, paperForces(), sweepVelocities(figure.scene.sweep), 20);
-  figure.csv = tableHeader({"normal_force"});
+  DataTable table = curvesTable({"normal_force"});
   for (std::size_t j = 0; j < means.forces(); ++j)
-    figure.csv += tableRows(means, j, fmt::format("{},", means.normalForce(j)));
+    addCurve(table, means, j, {means.normalForce(j)});
+  figure.csv = tableCsv(table);
   figure.sheet.diagrams.push_back(forcesDiagram(means));
   figure.sheet.note =
       "The third curve from the left is that of Fig. 2. In zone 1 curves shift as F\u2099 to the "

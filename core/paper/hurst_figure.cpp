@@ -1,5 +1,4 @@
 // Fig. 3: six Hurst exponents at a large force, with Eq. (11).
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +122,7 @@ Message noteOnContact(const std::vector<GroupedMeans>& allMeans) {
 void addHurstFigure(Figure& figure, const FigureOptions& options) {
   std::vector<GroupedMeans> allMeans;
   Diagram diagram = frictionDiagram();
-  figure.csv = tableHeader({"hurst"});
+  DataTable table = curvesTable({"hurst"});
   const auto cases = [](const Scene& scene, double) {
     return std::vector{atForce(scene.load.normalForce, sweepVelocities(scene.sweep))};
   };
@@ -137,8 +136,9 @@ void addHurstFigure(Figure& figure, const FigureOptions& options) {
     series.stroke = SeriesStroke::None;
     series.colour = static_cast<int>(k);
     diagram.series.push_back(series);
-    figure.csv += tableRows(means, 0, fmt::format("{},", hurstExponent(means)));
+    addCurve(table, means, 0, {hurstExponent(means)});
   });
+  figure.csv = tableCsv(table);
   figure.sheet.diagrams.push_back(std::move(diagram));
   figure.sheet.note = sentences(
       {noteOnContact(allMeans),

@@ -1,6 +1,5 @@
 // The master curve, Eqs. (16) and (17): curves for other forces, lengths, relaxation times and
 // heights before and after shifting; temperature is the special case that shifts exactly.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -236,7 +235,7 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
   after.series.push_back(law);
 
   std::vector<GroupedMeans> allMeans;
-  figure.csv = tableHeader({"variant", "velocity_shift", "friction_shift"});
+  DataTable table = curvesTable({"variant", "velocity_shift", "friction_shift"});
   for (const Variant& variant : variants) {
     const GroupedMeans& means = allMeans.emplace_back(work.computeMeans(
         variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));
@@ -244,9 +243,9 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
     after.series.push_back(plainSeries(means, variant, true));
     after.series.back().name = {};
     const Shift shift = masterShift(means);
-    figure.csv += tableRows(
-        means, 0, fmt::format("{},{},{},", variant.name.english(), shift.velocity, shift.friction));
+    addCurve(table, means, 0, {variant.name.english(), shift.velocity, shift.friction});
   }
+  figure.csv = tableCsv(table);
   after.x.from = 1e-4;
   after.x.to = 1e3;
   after.y.from = 1e-4;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/number_text.h"
 #include "core/paper/figure_parts.h"
 #include "core/scene/data_table.h"
 

@@ -1,6 +1,5 @@
 // The influence of the spacing: the paper's twenty from 1e-7 to 1e-5 m, mu and mu over the rms
 // slope.
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -61,7 +60,7 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
   plain.title = "coefficient of friction";
   plain.y.title = "friction \u03BC";
   normalized.title = "over the rms slope";
-  figure.csv = tableHeader({"spacing", "rms_slope"});
+  DataTable table = curvesTable({"spacing", "rms_slope"});
   std::vector<GroupedMeans> allMeans;
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     Scene scene = figure.scene;
@@ -71,10 +70,11 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
     const double ramp = static_cast<double>(k) / static_cast<double>(spacings.size() - 1);
     plain.series.push_back(spacingSeries(means, ramp, false));
     normalized.series.push_back(spacingSeries(means, ramp, true));
-    figure.csv += tableRows(means, 0, fmt::format("{},{},", spacings[k], means.line().rmsSlope));
+    addCurve(table, means, 0, {spacings[k], means.line().rmsSlope});
   }
   plain.ramp = normalized.ramp =
       DiagramRamp{"spacing", printed(spacings.front(), "m"), printed(spacings.back(), "m")};
+  figure.csv = tableCsv(table);
   figure.sheet.diagrams = {std::move(plain), std::move(normalized)};
   figure.sheet.note =
       "The spacing sets the shortest wave of the line and with it the rms slope: it acts as a "

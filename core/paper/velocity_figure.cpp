@@ -82,11 +82,11 @@ Diagram velocityDiagram(const Curves& curves) {
   return diagram;
 }
 
-std::string curvesTable(const Curves& curves) {
-  std::string text = tableHeader({"curve"});
-  text += tableRows(curves.resolved, 0, "resolved,");
+std::string csvOf(const Curves& curves) {
+  DataTable table = curvesTable({"curve"});
+  addCurve(table, curves.resolved, 0, {"resolved"});
   const LawInput in = curves.resolved.lawInput(0, 0);
-  const auto add = [&](const std::vector<ElementPoint>& points, const char* lead) {
+  const auto add = [&](const std::vector<ElementPoint>& points, const char* name) {
     for (const ElementPoint& element : points) {
       LawInput at = in;
       at.velocity = element.velocity;
@@ -101,12 +101,12 @@ std::string curvesTable(const Curves& curves) {
       point.dimensionlessVelocity = dimensionlessVelocity(at);
       point.dimensionlessForce = dimensionlessForce(at);
       point.realizations = static_cast<std::int64_t>(element.normalizedMu.size());
-      text += lead + CurveTable().row(point) + "\n";
+      table.rows.push_back(CurveTable().row(point, {name}));
     }
   };
-  add(curves.literal, "literal,");
-  add(curves.fine, "elements_fine_steps,");
-  return text;
+  add(curves.literal, "literal");
+  add(curves.fine, "elements_fine_steps");
+  return tableCsv(table);
 }
 
 /// Returns the index of the last velocity at or below this one.
@@ -281,7 +281,7 @@ void addVelocityFigure(Figure& figure, const FigureOptions& options) {
         curves.fine.back().velocity, FineSteps{}.most));
   if (!figure.sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewContactsSentence);
   figure.sheet.note = sentences(notes);
-  figure.csv = curvesTable(curves);
+  figure.csv = csvOf(curves);
   const GroupedMeans& means = curves.resolved;
   figure.claims = {linearClaim(means),  widthClaim(means),          factorClaim(means),
                    plateauClaim(means), constantLevelClaim(curves), convergenceClaim(curves)};
