@@ -88,13 +88,12 @@ std::vector<CurveRegion> splitIntoRegions(const Known& known) {
   const std::size_t last = known.size() - 1;
   const CurveMaximum top = curveMaximum(known.velocities, known.mu);
   RegionSequence regions(known);
-  if (top.velocity == known.velocities[0] && known.exponent(0) < -kFlat) {
+  if (top.x == known.velocities[0] && known.exponent(0) < -kFlat) {
     regions.add(kIV, known.velocities[last]);
     return regions.take();
   }
   if (known.mu[0] < BorderRule{}.ofMaximum * top.value) {
-    const bool isRising =
-        top.velocity == known.velocities[last] && known.exponent(last - 1) > kFlat;
+    const bool isRising = top.x == known.velocities[last] && known.exponent(last - 1) > kFlat;
     const double toPlateau = isRising ? known.velocities[last] : borders.toPlateau;
     if (known.exponent(0) > kLinear)
       regions.add(kI, std::isfinite(borders.endOfLinear) ? std::min(borders.endOfLinear, toPlateau)

@@ -36,17 +36,17 @@ std::size_t highest(std::span<const double> values) {
 struct Peak {
   CurveMaximum maximum;
   double bend = 0;  // second difference, below 0; 0 at an end of the curve
-  double step = 1;  // ratio of neighbouring velocities
+  double step = 1;  // ratio of neighbouring x
 };
 
-Peak findPeak(std::span<const double> velocities, std::span<const double> values) {
+Peak findPeak(std::span<const double> x, std::span<const double> values) {
   const std::size_t top = highest(values);
-  if (top == 0 || top + 1 == values.size()) return {{velocities[top], values[top]}};
+  if (top == 0 || top + 1 == values.size()) return {{x[top], values[top]}};
   const double bend = values[top - 1] - 2 * values[top] + values[top + 1];
   const double lean = values[top - 1] - values[top + 1];
   const double shift = bend < 0 ? 0.5 * lean / bend : 0;
-  const double step = velocities[top + 1] / velocities[top];
-  return {{velocities[top] * std::pow(step, shift), values[top] - 0.25 * lean * shift}, bend, step};
+  const double step = x[top + 1] / x[top];
+  return {{x[top] * std::pow(step, shift), values[top] - 0.25 * lean * shift}, bend, step};
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ LineFit fitPower(std::span<const double> x, std::span<const double> y) {
   return fitLine(logX, logY);
 }
 
-CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values) {
-  return findPeak(velocities, values).maximum;
+CurveMaximum curveMaximum(std::span<const double> x, std::span<const double> values) {
+  return findPeak(x, values).maximum;
 }
 
 RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
@@ -92,7 +92,7 @@ RegionBorders regionBorders(std::span<const double> velocities, std::span<const 
   if (values[top] < reached) {
     const double steps = std::sqrt(2 * (peak.maximum.value - reached) / -peak.bend);
     const double factor = std::pow(peak.step, steps);
-    return {endOfLinear, peak.maximum.velocity / factor, peak.maximum.velocity * factor};
+    return {endOfLinear, peak.maximum.x / factor, peak.maximum.x * factor};
   }
   return {endOfLinear, crossing(velocities, 0, reached, value),
           crossing(velocities, top, reached, value)};

@@ -41,12 +41,12 @@ struct BorderRule {
 };
 
 struct CurveMaximum {
-  double velocity = 0;  // m/s
+  double x = 0;  // m/s of a curve over velocity, else the value of its key
   double value = 0;
 };
 
-/// Returns the maximum of the parabola in ln v through the highest value and its neighbours.
-CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values);
+/// Returns the maximum of the parabola in ln x through the highest value and its neighbours.
+CurveMaximum curveMaximum(std::span<const double> x, std::span<const double> values);
 
 /// Returns the borders. velocities: ascending and evenly spaced in their logarithm, values > 0.
 /// Region I is the region of the lowest velocity.

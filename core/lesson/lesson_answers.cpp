@@ -37,13 +37,10 @@ double stateValue(const Scene& scene, const std::string& column, const CurveOpti
   return finite(curveValue(curve.points.front(), column), column);
 }
 
-struct Maximum {
-  double x = 0, y = 0;
-};
-
 /// Returns the maximum of a curve: that of the parabola through its highest points where the axis
 /// is logarithmic and all values are positive, else the highest point.
-Maximum findMaximum(const Scene& scene, const std::string& column, const CurveOptions& options) {
+CurveMaximum findMaximum(const Scene& scene, const std::string& column,
+                         const CurveOptions& options) {
   const Curve curve = computeCurve(scene, options);
   if (!curve.isComplete) throw StopRequested{};
   std::vector<double> x, y;
@@ -57,10 +54,8 @@ Maximum findMaximum(const Scene& scene, const std::string& column, const CurveOp
   }
   if (x.empty()) finite(kNotApplicable, column);
   const bool isAscending = std::ranges::is_sorted(x);
-  if (x.size() >= 3 && isPositive && isAscending && scene.sweep.scale == SweepScale::Logarithmic) {
-    const CurveMaximum maximum = curveMaximum(x, y);
-    return {maximum.velocity, maximum.value};
-  }
+  if (x.size() >= 3 && isPositive && isAscending && scene.sweep.scale == SweepScale::Logarithmic)
+    return curveMaximum(x, y);
   const auto highest = std::ranges::max_element(y) - y.begin();
   return {x[static_cast<std::size_t>(highest)], y[static_cast<std::size_t>(highest)]};
 }
@@ -93,17 +88,11 @@ void computePoint(const LessonStep& step, const CurveOptions& options, LessonAns
   const std::string column(quantityEntry(*findQuantity(step.show.quantity)).word.text());
   if (prediction.x) {
     answer.x.value = *prediction.x;
-    const bool isOfVelocity = step.scene.sweep.isOfVelocity();
-    Scene state = step.scene;
-    if (isOfVelocity)
-      state.sliding.velocity = *prediction.x;
-    else
-      state = sceneAt(step.scene, *prediction.x);
-    answer.number.value = stateValue(state, column, options);
+    answer.number.value = stateValue(sceneAt(step.scene, *prediction.x), column, options);
   } else {
-    const Maximum maximum = findMaximum(step.scene, column, options);
+    const CurveMaximum maximum = findMaximum(step.scene, column, options);
     answer.x.value = maximum.x;
-    answer.number.value = maximum.y;
+    answer.number.value = maximum.value;
   }
   answer.x.unit = std::string(sweptParameter(step.scene).unit);
   answer.number.unit = unitOfColumn(column);

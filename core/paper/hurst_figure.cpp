@@ -36,7 +36,7 @@ Claim linearClaim(const std::vector<GroupedMeans>& allMeans) {
 
 /// Returns the largest |mu / Eq. (11) - 1| up to the maximum.
 double lawDeviation(const GroupedMeans& means, int out) {
-  const double top = findPlateau(means, 0).velocity;
+  const double top = findPlateau(means, 0).x;
   double worst = 0;
   for (std::size_t i = 0; i < means.velocities().size() && means.velocities()[i] <= top; ++i)
     worst = std::max(worst, std::abs(means.mu(0, i, out) / frictionLaw(means.lawInput(0, i)) - 1));

@@ -169,9 +169,8 @@ void addPlateauFigure(Figure& figure, const FigureOptions& options) {
     for (std::size_t j = 0; j < means.forces(); ++j) {
       const Top& top = tops.emplace_back(findTop(means, j));
       table.rows.push_back({hurstExponent(means), means.normalForce(j), top.force,
-                            top.normalizedMu.value, top.normalizedMu.standardError,
-                            top.plateau.velocity, top.contactFraction, top.slopeRatio,
-                            means.realizations()});
+                            top.normalizedMu.value, top.normalizedMu.standardError, top.plateau.x,
+                            top.contactFraction, top.slopeRatio, means.realizations()});
     }
     all.push_back({std::move(means), std::move(tops)});
   });

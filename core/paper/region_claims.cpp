@@ -23,7 +23,7 @@ constexpr std::size_t kAtMaximum = 2, kAtTheEnd = kAround.size();
 
 LoadShares computeShares(const GroupedMeans& means, FigureWork& work) {
   std::vector<double> velocities;
-  for (const double factor : kAround) velocities.push_back(factor * findPlateau(means, 0).velocity);
+  for (const double factor : kAround) velocities.push_back(factor * findPlateau(means, 0).x);
   velocities.push_back(means.velocities().back());
   return {means.scene(),
           {atForce(means.normalForce(0), velocities)},
@@ -36,7 +36,7 @@ LoadShares computeShares(const GroupedMeans& means, FigureWork& work) {
 double elasticAtMaximum(const GroupedMeans& means, const LoadShares& shares, int out) {
   const std::vector<double>& v = shares.loadCase(0).velocities;
   const double velocity =
-      std::clamp(findPlateau(means, 0, out).velocity, v.front(), v[kAround.size() - 1]);
+      std::clamp(findPlateau(means, 0, out).x, v.front(), v[kAround.size() - 1]);
   std::size_t i = 0;
   while (i + 2 < kAround.size() && velocity > v[i + 1]) ++i;
   const double here = shares.elastic(0, i, out), next = shares.elastic(0, i + 1, out);

@@ -184,8 +184,7 @@ Claim plateauClaim(const GroupedMeans& means) {
          jackknife(means.groups(), [&](int out) { return findPlateau(means, 0, out).value; }),
          within(claim.expected, 0.1 * claim.expected));
   const CurveMaximum plateau = findPlateau(means, 0);
-  claim.note =
-      message("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
+  claim.note = message("At {:.2g} m/s. Mind the fall already at this small force.", plateau.x);
   return claim;
 }
 

@@ -220,7 +220,7 @@ Claim plateauSpreadClaim(const GroupedMeans& means) {
 /// each has been shifted along ln v so that its region I lies on that of the first.
 double distanceOfShifted(const GroupedMeans& means, int out) {
   const double reference = means.mu(0, 0, out);
-  const double end = findPlateau(means, 0, out).velocity;
+  const double end = findPlateau(means, 0, out).x;
   double worst = 0;
   for (std::size_t j = 1; j < means.forces(); ++j) {
     const double shift = reference / means.mu(j, 0, out);

@@ -71,7 +71,7 @@ void addMaximum(const KnownCurve& curve, CurveFitValues& fits) {
   CurveMaximum maximum{curve.x[top], curve.mu[top]};
   if (curve.isEvenAround(top)) maximum = curveMaximum(curve.x, curve.mu);
   at(fits, CurveFit::Maximum) = maximum.value;
-  at(fits, CurveFit::PlaceOfMaximum) = maximum.velocity;
+  at(fits, CurveFit::PlaceOfMaximum) = maximum.x;
   const double left = passing(curve, top, maximum.value / 2, -1);
   const double right = passing(curve, top, maximum.value / 2, 1);
   if (std::isnan(left) || std::isnan(right)) return;

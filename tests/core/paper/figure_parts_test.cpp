@@ -76,8 +76,8 @@ TEST_P(ConvergedTable, Plateau) {
     const double expected = GetParam().plateau[j];
     EXPECT_NEAR(plateau.value, expected, allowed(plateau, expected)) << j;
     // The maximum lies inside the velocities that are looked at.
-    EXPECT_GT(findPlateau(means, j).velocity, means.velocities(j).front());
-    EXPECT_LT(findPlateau(means, j).velocity, means.velocities(j).back());
+    EXPECT_GT(findPlateau(means, j).x, means.velocities(j).front());
+    EXPECT_LT(findPlateau(means, j).x, means.velocities(j).back());
   }
 }
 
