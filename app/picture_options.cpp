@@ -173,7 +173,7 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments, PictureDe
       "light, dark, print, or paper: a contact in light tints (default: " + defaults.theme + ")");
   arguments.defaults = std::move(defaults);
   std::string names;
-  for (const std::string_view name : shippedStyles()) names += std::string(name) + ", ";
+  for (const std::string_view name : namesOf(shippedStyles())) names += std::string(name) + ", ";
   add("--style", arguments.style,
       "Values of these options from a file, or shipped: " + names.substr(0, names.size() - 2))
       ->type_name("NAME|FILE");

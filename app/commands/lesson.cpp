@@ -74,7 +74,7 @@ Json summaryJson(const Lesson& lesson) {
 int listAll(const LessonCommand& command) {
   Json all = Json::array();
   std::string text;
-  for (const ShippedLesson& shipped : shippedLessons()) {
+  for (const ShippedFile& shipped : shippedLessons()) {
     const Lesson lesson = readNamedLesson(std::string(shipped.name), readNamedScene);
     all.push_back(summaryJson(lesson));
     text += std::string(shipped.name) + ": " + summaryText(lesson);
@@ -87,13 +87,10 @@ int listAll(const LessonCommand& command) {
 /// Returns whether the results of students are given, not a lesson. A folder may have the name of a
 /// shipped lesson, which then is meant.
 bool areResults(const std::vector<std::string>& given) {
-  const auto isShipped = [](const std::string& name) {
-    return std::ranges::find(shippedLessons(), name, &ShippedLesson::name) !=
-           shippedLessons().end();
-  };
   std::error_code ignored;
   return given.size() > 1 || given.front().ends_with('/') || isResultsFile(given.front()) ||
-         (std::filesystem::is_directory(given.front(), ignored) && !isShipped(given.front()));
+         (std::filesystem::is_directory(given.front(), ignored) &&
+          !findShipped(shippedLessons(), given.front()));
 }
 
 /// Throws InputError where one of several words is no file and no folder, such as the name of a

@@ -376,12 +376,6 @@ std::span<const FigureOption> figureOptions() {
   return kOptions;
 }
 
-std::vector<std::string_view> shippedStyles() {
-  std::vector<std::string_view> names;
-  for (const ShippedStyle& style : shippedStyleFiles()) names.push_back(style.name);
-  return names;
-}
-
 FigureStyle styleFromJson(std::string_view text, const std::string& file) {
   constexpr int kDeepest = 4;
   try {
@@ -420,15 +414,13 @@ FigureStyle styleFromJson(std::string_view text, const std::string& file) {
 }
 
 FigureStyle readStyle(const std::string& nameOrFile) {
-  for (const ShippedStyle& style : shippedStyleFiles())
-    if (style.name == nameOrFile) return styleFromJson(style.json, nameOrFile);
+  if (const ShippedFile* style = findShipped(shippedStyles(), nameOrFile))
+    return styleFromJson(style->json, nameOrFile);
   std::error_code error;
-  if (!std::filesystem::exists(nameOrFile, error)) {
-    const std::vector<std::string_view> names = shippedStyles();
+  if (!std::filesystem::exists(nameOrFile, error))
     throw InputError("", "--style",
                      message("'{}' is neither a file nor one of {}", shortened(nameOrFile),
-                             namesWithCommas(names)));
-  }
+                             namesWithCommas(namesOf(shippedStyles()))));
   return styleFromJson(readRegularFile(nameOrFile, kLargestStyle), nameOrFile);
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/shipped_file.h"
 #include "core/chart/diagram.h"
 
 namespace asperity {
@@ -75,14 +76,7 @@ struct FigureOption {
 
 std::span<const FigureOption> figureOptions();
 
-/// A shipped style: a file of resources/styles as it is.
-struct ShippedStyle {
-  std::string_view name, json;
-};
-std::span<const ShippedStyle> shippedStyleFiles();
-
-/// Returns the names of the shipped styles.
-std::vector<std::string_view> shippedStyles();
+std::span<const ShippedFile> shippedStyles();
 
 /// Returns the style of a file, or of a shipped name. Throws InputError.
 FigureStyle readStyle(const std::string& nameOrFile);

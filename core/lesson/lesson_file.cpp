@@ -235,15 +235,14 @@ Lesson readNamedLesson(const std::string& name, const SceneReader& readNamed) {
   // A folder may have the same name as a shipped lesson.
   if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored))
     return readLessonFile(name, readNamed);
-  std::vector<std::string_view> names;
-  for (const ShippedLesson& lesson : shippedLessons()) {
-    names.push_back(lesson.name);
-    if (name == lesson.name || name == std::string(lesson.name) + ".json")
-      return readLesson(lesson.json, std::string(lesson.name) + ".json", kShippedFolder, readNamed);
-  }
-  throw InputError(
-      name, "",
-      message("is neither a file nor a shipped lesson; those are {}", namesWithCommas(names)));
+  constexpr std::string_view kExtension = ".json";
+  std::string_view bare = name;
+  if (bare.ends_with(kExtension)) bare.remove_suffix(kExtension.size());
+  if (const ShippedFile* lesson = findShipped(shippedLessons(), bare))
+    return readLesson(lesson->json, std::string(bare) + ".json", kShippedFolder, readNamed);
+  throw InputError(name, "",
+                   message("is neither a file nor a shipped lesson; those are {}",
+                           namesWithCommas(namesOf(shippedLessons()))));
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/shipped_file.h"
 #include "core/lesson/lesson.h"
 #include "core/scene/scene_file.h"
 
@@ -44,11 +45,8 @@ std::string writeLesson(const Lesson& lesson);
 /// that of a lesson, of any version; false where it cannot be read.
 bool isLessonFile(const std::filesystem::path& file);
 
-/// The shipped lessons: the files of resources/lessons as they are.
-struct ShippedLesson {
-  std::string_view name, json;
-};
-std::span<const ShippedLesson> shippedLessons();  // in the order of a course
+/// Returns the shipped lessons in the order of a course.
+std::span<const ShippedFile> shippedLessons();
 
 /// Returns the lesson of a file or, where there is none, the shipped one of this name, with or
 /// without ".json". Throws InputError, which names the shipped ones where there is neither.

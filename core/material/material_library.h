@@ -8,18 +8,15 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/shipped_file.h"
+
 namespace asperity {
 
 inline constexpr const char* kMaterialKey = "elastomer.material";  // names one in a scene
 inline constexpr std::string_view kMaterialSchema = "asperity-material/1";
 
-struct ShippedMaterial {
-  std::string_view name;  // "epdm_70"
-  std::string_view json;
-};
-
 /// Returns the shipped materials in the order of their names.
-std::span<const ShippedMaterial> shippedMaterials();
+std::span<const ShippedFile> shippedMaterials();
 
 struct MaterialText {
   std::string name;  // of the file, or of the shipped material, for errors

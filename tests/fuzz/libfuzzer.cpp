@@ -18,7 +18,7 @@ std::vector<std::string_view> curveColumns() {
   return {"velocity", "mu", "contact_fraction", "indentation"};
 }
 
-std::span<const ShippedLesson> shippedLessons() {
+std::span<const ShippedFile> shippedLessons() {
   return {};
 }
 

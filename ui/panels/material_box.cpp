@@ -22,12 +22,12 @@ constexpr QSize kPreview{64, 26};  // pixels
 constexpr int kAsksForFile = Qt::UserRole + 1;
 
 /// Returns the name of a shipped material for people.
-std::string shippedName(const ShippedMaterial& material) {
+std::string shippedName(const ShippedFile& material) {
   return jsonOrDiscarded(material.json).value("name", std::string(material.name));
 }
 
 /// Returns a shipped material.
-Elastomer shippedElastomer(const ShippedMaterial& material) {
+Elastomer shippedElastomer(const ShippedFile& material) {
   Scene scene;
   useMaterial(scene, std::string(material.name));
   return scene.elastomer;
@@ -102,7 +102,7 @@ void MaterialBox::showMaterial(const Elastomer& elastomer) {
 void MaterialBox::showTexts() {
   clear();
   addItem(tr("own values"), QString());
-  for (const ShippedMaterial& material : shippedMaterials())
+  for (const ShippedFile& material : shippedMaterials())
     addItem(translatedText(shippedName(material)), fromUtf8(material.name));
   const QString present = QString::fromStdString(elastomer_.material);
   if (findData(present) < 0) {
@@ -117,7 +117,7 @@ void MaterialBox::showTexts() {
 
 /// Draws the pictures of the moduli, in the present colours of the window.
 void MaterialBox::showPopup() {
-  for (const ShippedMaterial& material : shippedMaterials())
+  for (const ShippedFile& material : shippedMaterials())
     setItemIcon(findData(fromUtf8(material.name)),
                 modulusIcon(shippedElastomer(material), kPreview, palette()));
   if (currentIndex() >= 0 && itemIcon(currentIndex()).isNull())

@@ -93,9 +93,10 @@ TEST(StyleFile, HasTheSameWords) {
 }
 
 TEST(StyleFile, ShippedOnesAreWhole) {
-  EXPECT_THAT(shippedStyles(),
+  EXPECT_THAT(namesOf(shippedStyles()),
               testing::ElementsAre("screen", "journal", "slides", "poster", "greyscale"));
-  for (const std::string_view name : shippedStyles()) EXPECT_NO_THROW(readStyle(std::string(name)));
+  for (const std::string_view name : namesOf(shippedStyles()))
+    EXPECT_NO_THROW(readStyle(std::string(name)));
   EXPECT_TRUE(readStyle("greyscale").isGrey);
   EXPECT_THROW(readStyle("no such style"), InputError);
 }

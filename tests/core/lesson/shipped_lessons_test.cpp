@@ -22,7 +22,7 @@ Scene shippedScene(const std::string& name, const std::filesystem::path&,
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const ShippedLesson& lesson : shippedLessons()) all.emplace_back(lesson.name);
+  for (const ShippedFile& lesson : shippedLessons()) all.emplace_back(lesson.name);
   return all;
 }
 

@@ -138,7 +138,7 @@ TEST(MaterialSummary, SaysWhereAVerticalShiftCannotBeTold) {
 /// The shipped materials are what the command makes from the shipped measurements.
 TEST(MaterialJson, ShippedMaterialsAreWhatTheirMeasurementsGive) {
   ASSERT_GE(shippedMaterials().size(), 2U);
-  for (const ShippedMaterial& shipped : shippedMaterials()) {
+  for (const ShippedFile& shipped : shippedMaterials()) {
     const auto there = nlohmann::json::parse(shipped.json);
     EXPECT_FALSE(there["source"].get<std::string>().empty());
     const std::string file = there["origin"]["file"];

@@ -139,7 +139,7 @@ TEST_F(MaterialScene, AssignmentsLeadFromAnySceneToAnyOther) {
 
 TEST_F(MaterialScene, EveryShippedMaterialMakesAScene) {
   ASSERT_FALSE(shippedMaterials().empty());
-  for (const ShippedMaterial& shipped : shippedMaterials()) {
+  for (const ShippedFile& shipped : shippedMaterials()) {
     const Scene scene = read("{}", {"elastomer.material=" + std::string(shipped.name)});
     EXPECT_GT(scene.elastomer.measured.frequencyTo, scene.elastomer.measured.frequencyFrom);
     EXPECT_EQ(read(writeScene(scene)), scene);

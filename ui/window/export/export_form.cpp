@@ -91,7 +91,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   format_ = addField<ChoiceBox>(*rows_, "exportFormat", tr("&Format"));
   style_ = addField<ChoiceBox>(*rows_, "exportStyle", tr("St&yle"));
   style_->addItem(tr("none"), "");
-  for (const std::string_view name : shippedStyles())
+  for (const std::string_view name : namesOf(shippedStyles()))
     style_->addItem(fromUtf8(name), fromUtf8(name));
   addSize();
   density_ = addField<QLineEdit>(

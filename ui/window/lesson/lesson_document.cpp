@@ -37,9 +37,7 @@ bool LessonDocument::isChanged() const {
 /// Returns the folder of the lesson's file, in which its scenes are. Without a file it is that of
 /// the shipped scenes for a shipped lesson, and empty for a new one, which names no scenes.
 std::filesystem::path LessonDocument::folder() const {
-  const bool isShipped =
-      file_.isEmpty() && std::ranges::find(shippedLessons(), lesson.name, &ShippedLesson::name) !=
-                             shippedLessons().end();
+  const bool isShipped = file_.isEmpty() && findShipped(shippedLessons(), lesson.name);
   return isShipped ? std::filesystem::path(kShippedFolder)
                    : std::filesystem::path(file_.toStdString()).parent_path();
 }

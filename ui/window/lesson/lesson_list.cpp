@@ -29,7 +29,7 @@ constexpr QSize kDefaultSize(820, 460);  // pixels
 const std::vector<Lesson>& readShippedLessons() {
   static const std::vector<Lesson> lessons = [] {
     std::vector<Lesson> read;
-    for (const ShippedLesson& lesson : shippedLessons())
+    for (const ShippedFile& lesson : shippedLessons())
       read.push_back(readNamedLesson(std::string(lesson.name), readNamedScene));
     return read;
   }();

@@ -109,7 +109,7 @@ QString classTable(const std::vector<StudentResults>& students) {
 }  // namespace
 
 std::optional<Lesson> shippedLesson(const LessonResults& results) {
-  for (const ShippedLesson& shipped : shippedLessons()) {
+  for (const ShippedFile& shipped : shippedLessons()) {
     if (shipped.name != results.lesson) continue;
     Lesson lesson = readNamedLesson(results.lesson, readNamedScene);
     if (lesson.digest == results.digest) return lesson;

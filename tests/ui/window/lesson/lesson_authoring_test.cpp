@@ -352,7 +352,7 @@ TEST_F(LessonAuthoringTest, TheEditorChangesParametersInPlainWords) {
 /// Nothing of the editor is a word of the file: no key, no column, no member.
 TEST_F(LessonAuthoringTest, TheEditorSpeaksNoJson) {
   const QRegularExpression code(QStringLiteral(R"([a-z]_[a-z]|[a-z]\.[a-z]|=)"));
-  for (const ShippedLesson& shipped : shippedLessons()) {
+  for (const ShippedFile& shipped : shippedLessons()) {
     LessonEditor& editor =
         lessons().showEditor(readNamedLesson(std::string(shipped.name), readNamedScene), {});
     auto& steps = *editor.findChild<QListWidget*>("editorSteps");
@@ -395,7 +395,7 @@ TEST_F(LessonAuthoringTest, TheEditorSaysWhatTheStepShowsAndLocks) {
 
 /// What the editor does not show (values, hidden ranges, other curves) is kept.
 TEST_F(LessonAuthoringTest, TheEditorLosesNothingOfALesson) {
-  for (const ShippedLesson& shipped : shippedLessons()) {
+  for (const ShippedFile& shipped : shippedLessons()) {
     const Lesson lesson = readNamedLesson(std::string(shipped.name), readNamedScene);
     LessonEditor& editor = lessons().showEditor(lesson, {});
     auto& steps = *editor.findChild<QListWidget*>("editorSteps");
@@ -456,7 +456,7 @@ TEST_F(LessonAuthoringTest, TheEditorWritesExponents) {
 
 /// An edit elsewhere in a step leaves what an answer has beyond the rows.
 TEST_F(LessonAuthoringTest, AnEditKeepsWhatTheRowsDoNotShow) {
-  for (const ShippedLesson& shipped : shippedLessons()) {
+  for (const ShippedFile& shipped : shippedLessons()) {
     Lesson lesson = readNamedLesson(std::string(shipped.name), readNamedScene);
     LessonEditor& editor = lessons().showEditor(lesson, {});
     auto& steps = *editor.findChild<QListWidget*>("editorSteps");

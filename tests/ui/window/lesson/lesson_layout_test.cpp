@@ -202,7 +202,7 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
 
 std::vector<std::string> shippedNames() {
   std::vector<std::string> names;
-  for (const ShippedLesson& lesson : shippedLessons()) names.emplace_back(lesson.name);
+  for (const ShippedFile& lesson : shippedLessons()) names.emplace_back(lesson.name);
   return names;
 }
 

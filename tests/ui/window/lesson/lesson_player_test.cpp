@@ -215,7 +215,7 @@ TEST_F(LessonPlayerTest, ANumberSaysHowNearItHasToBe) {
 }
 
 TEST_F(LessonPlayerTest, EveryShippedLessonIsWalkedThrough) {
-  for (const ShippedLesson& shipped : shippedLessons()) {
+  for (const ShippedFile& shipped : shippedLessons()) {
     SCOPED_TRACE(std::string(shipped.name));
     ASSERT_TRUE(lessons().open(
         QString::fromUtf8(shipped.name.data(), static_cast<qsizetype>(shipped.name.size()))));
