@@ -18,14 +18,9 @@ struct RowsAsLines {
   Scene scene;
   LineSource source;
   LoadCase sweep;
-  RealizationPart part;
 
   RowsAsLines(const Scene& given, const std::vector<double>& velocities)
-      : scene(withEveryRow(given)),
-        source(scene, 1),
-        sweep{given.load, velocities},
-        part{scene, {&sweep, 1}} {}
-  RowsAsLines(const RowsAsLines&) = delete;
+      : scene(withEveryRow(given)), source(scene, 1), sweep{given.load, velocities} {}
 
   static Scene withEveryRow(Scene scene) {
     scene.accuracy = {Scheme::Cubic, 1, 0};
@@ -33,7 +28,12 @@ struct RowsAsLines {
     return scene;
   }
 
-  RealizationWork from(std::int64_t row) const { return {source, {&part, 1}, row}; }
+  /// Slides `count` rows from the first; as slideRealizations.
+  bool slide(std::int64_t first, std::int64_t count, int threads, const std::stop_token& stop,
+             const TakeRealization& take) const {
+    const RealizationPart part{scene, {&sweep, 1}};
+    return slideRealizations({source, {&part, 1}, first}, count, threads, stop, take);
+  }
 };
 
 }  // namespace
@@ -45,7 +45,7 @@ std::vector<MeanError> errorsOfRows(const Scene& scene, const std::vector<double
   const auto take = [&](std::span<const SteadyResult> results) {
     for (std::size_t i = 0; i < results.size(); ++i) means[i].add(results[i].mu);
   };
-  if (!slideRealizations(rows.from(0), rows.source.rows(), threads, stop, take)) return {};
+  if (!rows.slide(0, rows.source.rows(), threads, stop, take)) return {};
   std::vector<MeanError> errors;
   for (const LineMean& mean : means) {
     errors.push_back(mean.error());
@@ -65,7 +65,7 @@ PredictedRowErrors predictErrorsOfRows(const Scene& scene, const std::vector<dou
     for (std::size_t i = 0; i < results.size(); ++i) mu[i].push_back(results[i].mu);
   };
   for (const std::int64_t row : sampledLines(rows.source, count))
-    if (!slideRealizations(rows.from(row), 1, 1, stop, take)) throw StopRequested{};
+    if (!rows.slide(row, 1, 1, stop, take)) throw StopRequested{};
   const auto all = static_cast<double>(rows.source.rows());
   PredictedRowErrors predicted;
   for (const std::vector<double>& each : mu)
