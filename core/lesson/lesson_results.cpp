@@ -176,8 +176,6 @@ void writeResults(const std::filesystem::path& file, const LessonResults& result
 
 namespace {
 
-using Row = std::vector<std::string>;
-
 /// Returns the JSON files in a folder, by name.
 std::vector<std::filesystem::path> jsonFilesIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -195,11 +193,6 @@ std::set<int> answeredSteps(const std::vector<StudentResults>& students) {
   for (const StudentResults& student : students)
     for (const LessonResult& one : student.results.results) steps.insert(one.step);
   return steps;
-}
-
-Row summaryCells(const LessonResults& results) {
-  return {std::to_string(results.right()), std::to_string(results.wrong()),
-          std::to_string(results.shown())};
 }
 
 /// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
@@ -263,26 +256,23 @@ const std::vector<StudentResults>& onlyClass(const ClassResults& results) {
 
 std::string classCsv(const std::vector<StudentResults>& students) {
   const std::set<int> steps = answeredSteps(students);
-  std::vector<Row> rows = {{"file", "date", "right", "wrong", "shown"}};
+  DataTable table{{"file", "date", "right", "wrong", "shown"}, {}};
   for (const int step : steps) {
-    rows.front().push_back(fmt::format("step_{}", step + 1));
-    rows.front().push_back(fmt::format("step_{}_given", step + 1));
+    table.columns.push_back(fmt::format("step_{}", step + 1));
+    table.columns.push_back(fmt::format("step_{}_given", step + 1));
   }
   for (const StudentResults& student : students) {
-    Row row = {student.file, student.results.date};
-    for (const std::string& cell : summaryCells(student.results)) row.push_back(cell);
+    const LessonResults& results = student.results;
+    std::vector<TableCell> row{student.file, results.date, std::int64_t{results.right()},
+                               std::int64_t{results.wrong()}, std::int64_t{results.shown()}};
     for (const int step : steps) {
-      const LessonResult* one = student.results.find(step);
-      row.push_back(one ? verdictWord(*one) : std::string());
-      row.push_back(one ? givenText(*one) : std::string());
+      const LessonResult* one = results.find(step);
+      row.emplace_back(one ? verdictWord(*one) : std::string());
+      row.emplace_back(one ? givenText(*one) : std::string());
     }
-    rows.push_back(row);
+    table.rows.push_back(std::move(row));
   }
-  std::string text;
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text += csvCell(row[i]) + (i + 1 < row.size() ? "," : "\n");
-  return text;
+  return tableCsv(table);
 }
 
 }  // namespace asperity
