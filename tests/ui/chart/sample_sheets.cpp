@@ -3,10 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr SeriesMark kMarks[] = {SeriesMark::Circle, SeriesMark::Square, SeriesMark::Triangle,
                                  SeriesMark::Diamond};
