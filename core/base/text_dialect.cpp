@@ -366,19 +366,26 @@ void splitFields(std::string_view line, Separator separator,
 }
 
 void splitRow(std::string_view line, const TextDialect& dialect,
-              std::vector<std::string_view>& fields) {
+              std::vector<std::string_view>& fields, bool hasLabels) {
   splitFields(line, dialect.separator, fields);
-  const auto hasTexts = [&] {
+  const auto has = [&](FieldKind kind) {
     return std::ranges::any_of(fields, [&](std::string_view field) {
-      return readField(field, dialect.decimal).kind == FieldKind::Text;
+      return readField(field, dialect.decimal).kind == kind;
     });
   };
-  std::size_t mark = line.size();
-  for (const std::string_view one : {" #", "\t#", " //", "\t//"})
-    mark = std::min(mark, line.find(one));
-  if (mark >= line.size() || !hasTexts()) return;
-  splitFields(line.substr(0, mark), dialect.separator, fields);
-  if (hasTexts()) splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
+  // "# ok" is a comment wherever it stands, "#2" only beside numbers alone, and "#N/A" is none.
+  for (const std::string_view after : {" ", ""}) {
+    if (after.empty() && hasLabels) return;
+    std::size_t mark = line.size();
+    for (const std::string_view one : {" #", "\t#", " //", "\t//"})
+      mark = std::min(mark, line.find(std::string(one).append(after)));
+    const bool hasWords =
+        mark < line.size() && (has(FieldKind::Text) || (!after.empty() && has(FieldKind::Flag)));
+    if (!hasWords) continue;
+    splitFields(line.substr(0, mark), dialect.separator, fields);
+    if (!has(FieldKind::Text)) return;
+    splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
+  }
 }
 
 TextDialect detectDialect(std::string_view text, bool readsCells) {

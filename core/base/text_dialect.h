@@ -52,9 +52,10 @@ inline std::vector<std::string_view> splitWords(std::string_view line) {
 }
 
 /// Replaces `fields` by those of a row of numbers. A comment at its end, a blank with "#" or "//"
-/// and what follows, is left out where the fields in front of it are numbers alone.
+/// and what follows, is left out where the fields in front of it are numbers alone. hasLabels:
+/// whether rows may have texts, such as "#3", so that a blank has to follow the mark.
 void splitRow(std::string_view line, const TextDialect& dialect,
-              std::vector<std::string_view>& fields);
+              std::vector<std::string_view>& fields, bool hasLabels = false);
 
 /// Removes the first line with its end from the text, and returns it without the end and the blanks
 /// there.

@@ -69,7 +69,10 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   std::string_view line = withoutCommentMark(kept.text, dialect);
   // "\Scan Size: 120 120 ~m" in quotes, as NanoScope writes it
-  if (const std::string_view bare = trimmedField(line); bare.find('"') == bare.npos) line = bare;
+  if (const std::string_view bare =
+          trimmedField(line.substr(0, line.find_last_not_of(";, \t") + 1));
+      line.starts_with('"') && bare.find('"') == bare.npos)
+    line = bare;
   TextEntry entry{{}, std::string(line), kept.number};
   entry.written = line.substr(0, line.find_last_not_of(";, \t") + 1);
   replaceAll(entry.written, "\t", " ");
@@ -95,9 +98,14 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     return entry;
   if (isExact && end >= fields.front().size()) {
     // "Width;10;\u00B5m"
-    std::string value;
+    std::vector<std::string_view> parts;
     for (std::size_t i = 1; i < fields.size(); ++i)
-      if (const auto part = trimmedField(fields[i]); !part.empty()) appendItem(value, part, " ");
+      if (const auto part = trimmedField(fields[i]); !part.empty()) parts.push_back(part);
+    // "Width;\u00B5m;10"
+    if (parts.size() == 2 && isKnownUnit(withoutBrackets(parts[0])) && beginsAsNumber(parts[1]))
+      parts = {parts[1], withoutBrackets(parts[0])};
+    std::string value;
+    for (const std::string_view part : parts) appendItem(value, part, " ");
     setKey(fields.front(), value);
   } else if (end != std::string_view::npos) {
     constexpr std::size_t kWide = 3;  // bytes of a full-width colon

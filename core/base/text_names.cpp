@@ -30,15 +30,15 @@ std::vector<std::string> splitAtWideBlanks(std::string_view line) {
   return fields;
 }
 
-/// Splits at single blanks; a unit, and a text in brackets or after a slash, stays with the name
-/// before it.
+/// Splits at single blanks; a unit, and a text in brackets or after a slash, "of" or "at", stays
+/// with the name before it.
 std::vector<std::string> splitAtBlanks(std::string_view line) {
   const std::vector<std::string_view> words = splitWords(line);
   std::vector<std::string> fields;
   bool open = false, joined = false;
   for (const std::string_view word : words) {
     const bool isUnit = (word.front() == '(' || word.front() == '[' || word.front() == '{');
-    const bool isStroke = word == "/" || isOneOf(word, kBeforeUnits);
+    const bool isStroke = isOneOf(word, "/ at bei of") || isOneOf(word, kBeforeUnits);
     if (!fields.empty() && (open || joined || isUnit || isStroke))
       fields.back() += " " + std::string(word);
     else

@@ -9,8 +9,10 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 
@@ -154,6 +156,29 @@ void moveListsAbove(TextTable& table) {
   }
 }
 
+void repeatNames(TextTable& table) {
+  const auto isOfState = [](const TextEntry& entry) {
+    const std::string line = joinEntry(entry);
+    return std::ranges::any_of(splitClauses(line), [](std::string_view clause) {
+      const auto statement = parseStatement(clause);
+      return (statement && isKnownUnit(statement->unit())) || statesQuantity(clause);
+    });
+  };
+  for (std::size_t i = 1; i < table.blocks.size(); ++i) {
+    const TextBlock& before = table.blocks[i - 1];
+    TextBlock& block = table.blocks[i];
+    const bool isAlike =
+        block.columns.size() == before.columns.size() &&
+        std::ranges::none_of(before.columns, [](const TextColumn& one) { return one.isText; });
+    // "T = 20 \u00B0C;;" has been taken for the name of the first column.
+    const bool hasNames = std::any_of(block.columns.begin() + 1, block.columns.end(),
+                                      [](const TextColumn& one) { return !one.name.empty(); });
+    if (isAlike && !hasNames && !block.header.empty() &&
+        std::ranges::all_of(block.header, isOfState))
+      block.columns = before.columns;
+  }
+}
+
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity) {
   constexpr std::pair<std::string_view, double> kLogarithms[] = {
       {"log10", 10}, {"log", 10}, {"lg", 10}, {"ln", std::numbers::e}};
@@ -206,6 +231,16 @@ Message unclearMark(char decimal) {
       std::string(1, decimal));
 }
 
+namespace {
+
+std::string listed(const std::vector<std::uint32_t>& lines) {
+  std::string list;
+  for (const std::uint32_t line : lines) appendItem(list, std::to_string(line));
+  return list;
+}
+
+}  // namespace
+
 std::vector<Message> doubtsAbout(const TextTable& table) {
   std::vector<Message> doubts;
   const std::vector<std::uint32_t>& lines = table.leftOut;
@@ -218,6 +253,9 @@ std::vector<Message> doubtsAbout(const TextTable& table) {
         message("{} lines, the first is line {}, are left out: they begin with a number but are "
                 "not rows of the table.",
                 lines.size(), lines.front()));
+  if (!table.remarks.empty())
+    doubts.push_back(message("Words behind the columns are not read: lines {}",
+                             PrintedNumber{shortened(listed(table.remarks))}));
   if (table.dialect.hasThousandsAlone)
     doubts.push_back(message(
         "All numbers of a column have a '{}' before their last three digits and are read as "

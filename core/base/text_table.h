@@ -75,6 +75,8 @@ struct TextTable {
   /// The numbers of lines that look like rows but are not: damaged ones right above or below a
   /// block, and those after the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
+  /// The numbers of the rows behind which stand words that are not read.
+  std::vector<std::uint32_t> remarks{};
 
   /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;
@@ -125,6 +127,11 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
 /// [N];75" below "Compound;A12", where a table with two columns of numbers follows; and so single
 /// rows of numbers with names, "Load [N];T [C]" above "75;20".
 void moveListsAbove(TextTable& table);
+
+/// Gives the names of a table to numbers below it that have none and as many columns, where each
+/// line between them states something of the rows below it: "T = 5 \u00B0C" and "T = 20 \u00B0C"
+/// among the rows of one table.
+void repeatNames(TextTable& table);
 
 /// Replaces logarithms by the quantities themselves in columns with names such as "log10(f/Hz)",
 /// "lg G' (Pa)", "ln v", and changes these names accordingly. isQuantity: whether the caller knows

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -12,6 +13,7 @@
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 namespace {
@@ -20,17 +22,74 @@ constexpr std::size_t kMaxNumbers = std::size_t{1} << 27;
 constexpr std::size_t kMaxHeaderLines = 10000;               // that are kept for one block
 constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
 
+/// A text whose quoted fields with line breaks, as spreadsheets write long names of columns, stand
+/// in one line each.
+struct JoinedText {
+  std::string_view text{};            // of the text given, or of `joined`
+  std::string joined{};               // where there are such fields
+  std::vector<std::size_t> breaks{};  // positions in it at which a line of the file ended
+
+  explicit JoinedText(std::string_view written);
+  JoinedText(const JoinedText&) = delete;  // the text may be its own
+  JoinedText& operator=(const JoinedText&) = delete;
+};
+
+/// Returns the length of a quoted field with line breaks at the beginning of a text; 0 where there
+/// is none. Signs that separate fields do not stand in it, so that no rows are joined.
+std::size_t lengthOfBrokenField(std::string_view text) {
+  constexpr std::size_t kLongest = 200;
+  bool isBroken = false;
+  for (std::size_t i = 1; i < std::min(text.size(), kLongest); ++i) {
+    const std::string_view rest = text.substr(i + 1);
+    if (std::string_view(";,|\t").find(text[i]) != std::string_view::npos) return 0;
+    isBroken = isBroken || text[i] == '\n';
+    if (text[i] != '"') continue;
+    if (!rest.starts_with('"'))
+      return isBroken && (rest.empty() || rest.find_first_of(";,|\t\r\n ") == 0) ? i + 1 : 0;
+    ++i;  // two of them are one of the text
+  }
+  return 0;
+}
+
+JoinedText::JoinedText(std::string_view written) : text(written) {
+  std::size_t kept = 0;
+  for (std::size_t at = written.find('"'); at != written.npos; at = written.find('"', at + 1)) {
+    if (at > 0 && std::string_view(";,|\t\n").find(written[at - 1]) == std::string_view::npos)
+      continue;
+    const std::size_t length = lengthOfBrokenField(written.substr(at));
+    if (length == 0) continue;
+    joined += written.substr(kept, at - kept);
+    kept = at + length;
+    for (const char letter : written.substr(at, length)) {
+      if (letter == '\r') continue;
+      if (letter == '\n') breaks.push_back(joined.size());
+      joined += letter == '\n' ? ' ' : letter;
+    }
+    at = kept - 1;
+  }
+  if (kept == 0) return;
+  joined += written.substr(kept);
+  text = joined;
+}
+
 class TableReader {
  public:
-  TableReader(std::string_view text, const std::string& name, const TextTableOptions& options,
+  TableReader(const JoinedText& text, const std::string& name, const TextTableOptions& options,
               TextTable& table)
-      : whole_(text), rest_(text), name_(name), options_(options), table_(table) {}
+      : whole_(text.text),
+        rest_(text.text),
+        breaks_(text.breaks),
+        name_(name),
+        options_(options),
+        table_(table) {}
 
   void read() {
     while (!rest_.empty()) {
       const TextLine line{takeLine(rest_), ++number_};
-      if (whole_.size() - rest_.size() >= nextReport_) report();
+      const std::size_t done = whole_.size() - rest_.size();
+      if (done >= nextReport_) report();
       take(line);
+      for (; !breaks_.empty() && breaks_.front() < done; breaks_ = breaks_.subspan(1)) ++number_;
     }
     for (const TextLine& line : above_) addEntry(line, table_.trailer);
     if (table_.blocks.empty()) refuseWithoutRows();
@@ -95,7 +154,11 @@ class TableReader {
     if (isOpen_ && fits()) return append(line);
     if (isOpen_ && isRemark(line)) return keep(line);
     if (isOpen_) refuseAmidRows(line);
-    if (startsBlock(line)) return start(line);
+    const bool hadRemark = leaveRemark();
+    if (startsBlock(line)) {
+      if (hadRemark) table_.remarks.push_back(static_cast<std::uint32_t>(line.number));
+      return start(line);
+    }
     keep(line);
   }
 
@@ -174,12 +237,8 @@ class TableReader {
     return fields;
   }
 
-  /// Splits a line; where labels are kept, "#" belongs to them.
   void split(std::string_view line, std::vector<std::string_view>& fields) const {
-    if (options_.keepsTexts)
-      splitFields(line, table_.dialect.separator, fields);
-    else
-      splitRow(line, table_.dialect, fields);
+    splitRow(line, table_.dialect, fields, options_.keepsTexts);
     if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
   }
 
@@ -218,12 +277,43 @@ class TableReader {
         std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
   }
 
+  static bool isWord(const Field& field) {
+    return field.kind == FieldKind::Text || field.kind == FieldKind::Flag;
+  }
+
+  /// Returns whether a row has words behind its last column.
+  bool hasRemark() const {
+    const std::size_t columns = block().columns.size();
+    const bool isAtEnd = table_.dialect.isExact() && trimmedBlanks(rest_).empty();
+    return kinds_.size() > columns && isWord(kinds_[columns]) && (isAtEnd || nextLineFits());
+  }
+
+  /// Leaves out words behind the numbers of a first row, where there are as many names above it and
+  /// numbers below it. Returns whether there are some.
+  bool leaveRemark() {
+    const auto isValue = [this](std::string_view field) { return !isWord(read(field)); };
+    const auto begin = std::ranges::find_if_not(fields_, isValue);
+    const auto count = static_cast<std::size_t>(begin - fields_.begin());
+    if (count < 2 || begin == fields_.end() || isNamed(fields_.size()) || !isNamed(count))
+      return false;
+    const std::vector<std::string_view> next = fieldsOfNextLine();
+    if (static_cast<std::size_t>(std::ranges::find_if_not(next, isValue) - next.begin()) != count)
+      return false;
+    fields_.resize(count);
+    kinds_.resize(count);
+    cells_.resize(std::min(cells_.size(), count));
+    return true;
+  }
+
   /// Returns whether the fields are a row of the open block.
   bool fits() const {
     const std::vector<TextColumn>& columns = block().columns;
     std::size_t size = fields_.size();
     while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
-    if (size > columns.size()) return false;
+    if (size > columns.size()) {
+      if (!hasRemark()) return false;
+      size = columns.size();
+    }
     for (std::size_t i = size; i < columns.size(); ++i)
       if (!columns[i].isText) return false;
     bool anyValue = false;
@@ -248,6 +338,8 @@ class TableReader {
       std::vector<std::string_view> fields;
       split(line, fields);
       const std::vector<TextColumn>& columns = block().columns;
+      if (fields.size() > columns.size() && isWord(read(fields[columns.size()])))
+        fields.resize(columns.size());
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
       if (fields.size() != columns.size()) return false;
@@ -342,6 +434,8 @@ class TableReader {
       if (isThere && kinds_[i].kind == FieldKind::Flag)
         flags_.push_back(block().rows * columns + i);
     }
+    if (fields_.size() > columns && hasRemark())
+      table_.remarks.push_back(static_cast<std::uint32_t>(line.number));
     addRow(line);
   }
 
@@ -417,9 +511,10 @@ class TableReader {
     if (hasTime ? std::ranges::any_of(fields_, hasKey)
                 : keyEnd(line.text) != std::string_view::npos)
       return false;
+    // ";1 mm/s;10 mm/s" above "20 \u00B0C;0.5;0.7", where the unit of the first column names it
     const auto named = namedColumns(above_, table_.dialect, kinds_);
-    return std::ranges::none_of(named,
-                                [](const TextColumn& column) { return column.name.empty(); });
+    return std::none_of(named.begin() + (isCell(0) && named.size() > 1 ? 1 : 0), named.end(),
+                        [](const TextColumn& column) { return column.name.empty(); });
   }
 
   /// Returns whether the line above a first row has equally many fields and begins with a number.
@@ -504,6 +599,7 @@ class TableReader {
   }
 
   std::string_view whole_, rest_;
+  std::span<const std::size_t> breaks_;  // of lines, in the rest
   const std::string& name_;
   const TextTableOptions& options_;
   TextTable& table_;
@@ -522,6 +618,29 @@ class TableReader {
   std::size_t blankLines_ = 0;      // since the last row
 };
 
+/// Takes the units in a column of their own, behind that of the numbers: "v;unit;mu" above
+/// "10;mm/s;0.6". Throws InputError where they differ, except in a list of names and numbers.
+void takeUnits(TextBlock& block, const std::string& name) {
+  constexpr WordList kOfUnits("unit units einheit einheiten unit\u00E9 unidad unit\u00E0");
+  if (std::ranges::count(block.columns, false, &TextColumn::isText) < 2) return;
+  for (std::size_t i = 1; i < block.columns.size(); ++i) {
+    TextColumn& numbers = block.columns[i - 1];
+    const std::vector<std::string>& units = block.texts[i];
+    if (units.empty() || numbers.isText || !numbers.unit.empty() || !isKnownUnit(units.front()) ||
+        !isOneOf(lowerCase(block.columns[i].name), kOfUnits))
+      continue;
+    const auto other =
+        std::ranges::find_if(units, [&](const auto& one) { return one != units[0]; });
+    if (other != units.end())
+      throw InputError(
+          name, "",
+          message("row {}: {}", block.lines[static_cast<std::size_t>(other - units.begin())],
+                  message("column {} has the unit {} here, and {} elsewhere",
+                          shortened(numbers.name), shortened(*other), shortened(units.front()))));
+    numbers.unit = units.front();
+  }
+}
+
 }  // namespace
 
 TextTable readTextTable(std::string_view bytes, const std::string& name,
@@ -530,8 +649,10 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
   TextTable table;
   const DecodedText decoded(bytes, name);
   table.encoding = decoded.encoding;
-  table.dialect = detectDialect(decoded.text, options.readsCells);
-  TableReader(decoded.text, name, options, table).read();
+  const JoinedText joined(decoded.text);
+  table.dialect = detectDialect(joined.text, options.readsCells);
+  TableReader(joined, name, options, table).read();
+  for (TextBlock& block : table.blocks) takeUnits(block, name);
   return table;
 }
 

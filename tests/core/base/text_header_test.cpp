@@ -84,5 +84,25 @@ TEST(TextHeader, ReadsThousandsOfQuantities) {
   EXPECT_EQ(parseQuantity("12 345 N", ',')->unit, "N");
 }
 
+TEST(TextHeader, AUnitMayStandInFrontOfItsNumber) {
+  const TextDialect semicolon{TextDialect::Separator::Semicolon, '.'},
+      comma{TextDialect::Separator::Comma, '.'};
+  EXPECT_EQ(parseEntry({"Temperature;\u00B0C;23", 1}, semicolon).value, "23 \u00B0C");
+  EXPECT_EQ(parseEntry({"Load,[N],50", 1}, comma).value, "50 N");
+  EXPECT_EQ(parseEntry({"Load;50;N", 1}, semicolon).value, "50 N");
+  // A spreadsheet quotes a line with commas, and writes the empty cells behind it.
+  const TextEntry quoted = parseEntry({"\"Temperature: 5 \u00B0C\",,", 1}, comma);
+  EXPECT_EQ(quoted.key, "Temperature");
+  EXPECT_EQ(quoted.value, "5 \u00B0C");
+}
+
+TEST(TextHeader, AWordSuchAsAtBelongsToTheNameBeforeIt) {
+  const TextDialect semicolon{TextDialect::Separator::Semicolon, '.'};
+  for (const char* line : {"COF at load (N)", "Coefficient of friction at load (N)"})
+    for (const std::size_t columns : {2, 3, 4})
+      EXPECT_TRUE(splitNames(line, semicolon, columns).empty()) << line << columns;
+  EXPECT_EQ(splitNames("speed COF load (N)", semicolon, 3).size(), 3U);
+}
+
 }  // namespace
 }  // namespace asperity

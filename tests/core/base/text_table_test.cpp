@@ -621,5 +621,83 @@ TEST(TextTable, ReadsAMillionRowsWithoutLosingAny) {
   }
 }
 
+// ---- As people write them ----------------------------------------------------------------------
+
+TextTableOptions withTexts() {
+  TextTableOptions options;
+  options.keepsTexts = options.readsCells = true;
+  return options;
+}
+
+TEST(TextTable, QuotedNamesMayHaveLineBreaks) {
+  for (const char* end : {"\n", "\r\n"}) {
+    const std::string text = replaced(
+        "\"Position\nx\n[mm]\";\"Loss modulus G\"\"\n[MPa]\";z\n1;2;3\n\n4;5;6\n", "\n", end);
+    const TextBlock block = read(text).largest();
+    EXPECT_EQ(block.columns[0].name, "Position x");
+    EXPECT_EQ(block.columns[0].unit, "mm");
+    EXPECT_EQ(block.columns[1].unit, "MPa");
+    EXPECT_EQ(block.columns[2].name, "z");
+    EXPECT_THAT(block.lines, ElementsAre(5, 7));
+  }
+  EXPECT_THAT(errorOf("\"a\nb\",c\n1,2\n3,x\n5,6\n"), HasSubstr("line 4: 'x'"));
+  // Marks of repetition and of a loss modulus open no text.
+  const TextBlock ditto = read("f;G\"\n1;2\n3;4\n\"\n5;6\n\";\n").blocks.front();
+  EXPECT_EQ(ditto.rows, 2U);
+}
+
+TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
+  for (const char* text : {"x_mm z\n1 2 first contact\n3 4\n5 6 slip\n7 8 slip here\n9 10\n",
+                           "x (mm);z\n1;2;first\n3;4\n5;6;slip, stick\n7;8;ok\n9;10\n",
+                           "x (mm)\tz\n1\t2\tfirst\n3\t4\n5\t6\tslip\n7\t8\tslip\n9\t10\n"})
+    for (const TextTableOptions& options : {TextTableOptions{}, withTexts()}) {
+      const TextTable table = read(text, options);
+      ASSERT_EQ(table.blocks.size(), 1U) << text;
+      EXPECT_THAT(table.blocks[0].column(1), ElementsAre(2, 4, 6, 8, 10)) << text;
+      EXPECT_EQ(table.blocks[0].columns[0].unit, "mm") << text;
+      EXPECT_THAT(table.remarks, ElementsAre(2, 4, 5)) << text;
+      EXPECT_EQ(doubtsAbout(table).front().english(),
+                "Words behind the columns are not read: lines 2, 4, 5");
+    }
+  const TextTable last = read("x;z\n1;2\n3;4\n5;6;end\n");
+  EXPECT_THAT(last.blocks[0].column(1), ElementsAre(2, 4, 6));
+  // A number behind a row is one too many.
+  EXPECT_THAT(errorOf("x;z\n1;2\n3;4;5\n5;6\n7;8\n"), HasSubstr("line 3: has 3 fields"));
+}
+
+TEST(TextTable, CommentsEndRowsOfTablesWithLabelsToo) {
+  const TextTable table = read("v mu\n1 0.5 # ok\n2 0.6 # stick slip\n3 0.7 // end\n", withTexts());
+  EXPECT_THAT(table.blocks[0].column(1), ElementsAre(0.5, 0.6, 0.7));
+  EXPECT_TRUE(table.remarks.empty());
+  const TextTable labels = read("v;mu;sample\n1;0.5;#3\n2;0.6;A # 4\n", withTexts());
+  EXPECT_THAT(labels.blocks[0].texts[2], ElementsAre("#3", "A # 4"));
+}
+
+TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
+  const TextBlock block = read("v;unit;mu\n1;mm/s;0.5\n10;mm/s;0.6\n", withTexts()).largest();
+  EXPECT_EQ(block.columns[0].unit, "mm/s");
+  EXPECT_EQ(block.columns[2].unit, "");
+  EXPECT_THAT(errorOf("v;unit;mu\n1;mm/s;0.5\n1;m/s;0.6\n", withTexts()),
+              HasSubstr("row 3: column v has the unit m/s here, and mm/s elsewhere"));
+  // A sample may be called K.
+  EXPECT_EQ(read("v;sample;mu\n1;K;0.5\n10;K;0.6\n", withTexts()).largest().columns[0].unit, "");
+}
+
+TEST(TextTable, NamesHoldForRowsBelowAStatement) {
+  for (const char* text :
+       {"x (mm);z\nT = 5 \u00B0C\n1;2\n3;4\nT = 20 \u00B0C\n5;6\n7;8\n",
+        "x (mm);z\nT = 5 \u00B0C;\n1;2\n3;4\nT = 20 \u00B0C;\n5;6\n7;8\n",
+        "x (mm);z\nSample A, T = 5 \u00B0C\n1;2\n3;4\n\nSample A, T = 20 \u00B0C\n5;6\n7;8\n"}) {
+    TextTable table = read(text);
+    repeatNames(table);
+    ASSERT_EQ(table.blocks.size(), 2U) << text;
+    EXPECT_EQ(table.blocks[1].columns[0].name, "x") << text;
+    EXPECT_EQ(table.blocks[1].columns[1].name, "z") << text;
+  }
+  TextTable other = read("x (mm);z\n1;2\n3;4\nRun 2\n5;6\n7;8\n");
+  repeatNames(other);
+  EXPECT_FALSE(other.blocks.back().hasNames());
+}
+
 }  // namespace
 }  // namespace asperity
