@@ -89,6 +89,10 @@ std::optional<FrictionQuantity> stateOfUnit(const std::string& unit);
 /// force of friction, the shear stress, the modulus of the rubber.
 bool isOtherLoad(const std::vector<std::string>& words);
 
+/// Returns whether a name is that of the force of friction, in words, by its symbol or both:
+/// "Reibkraft F_R".
+bool isForceOfFriction(const std::string& name);
+
 /// Returns the words of a name in letters and digits: "fz", "track" and "mean" of "Fz_track
 /// (mean)".
 std::vector<std::string> nameWords(std::string text);

@@ -38,6 +38,7 @@ TextTable readTable(std::string_view bytes, const std::string& name) {
   options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
                          "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
+  repeatNames(table);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();
   });
@@ -146,6 +147,15 @@ struct ReadTable {
   FrictionRows rows{};
 };
 
+[[noreturn]] void refuseSeveral(const TextBlock& first, const TextBlock& further,
+                                const std::string& name) {
+  throw InputError(name, "",
+                   message("has several tables of friction, at lines {} and {}; each needs a "
+                           "file of its own, or all one table with a column that tells them "
+                           "apart, such as temperature or label",
+                           first.lines.front(), further.lines.front()));
+}
+
 /// Completes what the lines above a further table state by those above the first one, except for
 /// what its columns give. Throws InputError where they do not tell the tables apart: each has to
 /// state the same loads or temperatures as the first.
@@ -154,27 +164,25 @@ void completeStatements(ReadTable& further, const ReadTable& first, const std::s
   if (common.empty() || !std::ranges::all_of(common, [&](const HeaderStatement& one) {
         return first.header.hasCommon(*one.quantity);
       }))
-    throw InputError(name, "",
-                     message("has several tables of friction, at lines {} and {}; each needs a "
-                             "file of its own, or all one table with a column that tells them "
-                             "apart, such as temperature or label",
-                             first.block.lines.front(), further.block.lines.front()));
+    refuseSeveral(first.block, further.block, name);
   for (const HeaderStatement& one : first.header.common)
     if (!further.header.hasCommon(*one.quantity) && !further.roles.isGiven(*one.quantity))
       common.push_back(one);
 }
 
-/// Reads one table of friction. first: the one before it; null where it is the first one.
+/// Reads one table of friction. first: the one before it; null where it is the first one. below:
+/// the lines below it that are of all its points as well.
 ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* first,
-                  const std::string& name) {
+                  const std::vector<TextEntry>& below, const std::string& name) {
   ReadTable one{.block = written};
   unifyUnits(one.block, name);
   one.roles = findRoles(one.block, name);
   refuseUnitsElsewhere({table, written}, one.roles, name);
   one.mark = decimalMark(one.block, table.dialect);
+  std::vector<TextEntry> lines = one.block.header;
+  lines.insert(lines.end(), below.begin(), below.end());
   one.header = readHeader(
-      one.block.header, one.mark, [&](Quantity quantity) { return one.roles.isGiven(quantity); },
-      name);
+      lines, one.mark, [&](Quantity quantity) { return one.roles.isGiven(quantity); }, name);
   if (first) completeStatements(one, *first, name);
   requireQuantities(
       one.block, one.roles, [&](Quantity quantity) { return one.header.hasCommon(quantity); },
@@ -193,6 +201,18 @@ std::string otherTables(const TextTable& table, const std::vector<const TextBloc
   return lines;
 }
 
+/// Throws InputError for numbers without names below a table of friction with as many columns: they
+/// may be of it, as below "dry" and "wet" between its rows.
+void refuseFurtherRows(const std::vector<const TextBlock*>& ofFriction, const TextTable& table,
+                       const std::string& name) {
+  for (const TextBlock* block : ofFriction) {
+    if (block == &table.blocks.back() || !hasFriction(*block)) continue;
+    const TextBlock& next = *std::next(block);
+    if (!next.hasNames() && next.columns.size() == block->columns.size())
+      refuseSeveral(*block, next, name);
+  }
+}
+
 FrictionData readPoints(const TextTable& table, const std::string& name) {
   const std::vector<const TextBlock*> ofFriction = tablesOfFriction(table);
   for (const TextBlock& block : table.blocks)
@@ -200,7 +220,9 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
   FrictionData data{name};
   std::vector<ReadTable> tables;
   for (const TextBlock* block : ofFriction) {
-    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(), name));
+    const bool isLast = block == ofFriction.back();
+    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(),
+                             isLast ? table.trailer : std::vector<TextEntry>{}, name));
     const ReadTable& one = tables.back();
     data.points.insert(data.points.end(), one.rows.points.begin(), one.rows.points.end());
     for (const std::vector<Message>& notes :
@@ -208,6 +230,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
           one.rows.notes})
       data.notes.insert(data.notes.end(), notes.begin(), notes.end());
   }
+  refuseFurtherRows(ofFriction, table, name);
   requirePoints(data.points, name);
   for (const ReadTable& one : tables) checkColumns(one.rows.points, one.block, one.roles, name);
   checkPoints(data.points,

@@ -257,6 +257,10 @@ void nameFrictionInStates(TextBlock& block) {
   if (hasMu || block.columns.size() < 3 || std::ranges::none_of(block.header, namesFriction))
     return;
   TextBlock named = block;
+  // A unit in the cells of the first column names it.
+  if (TextColumn& heads = named.columns.front(); heads.name.empty() && !block.cells[0].empty())
+    if (const auto quantity = stateOfUnit(block.cells[0].front().unit))
+      heads.name = meaningOf(*quantity);
   const auto ofRows = findMeaning(named.columns.front());
   const TextColumn of =
       quantityOfHeads(named.columns.front(), named.header, [ofRows](const TextColumn& column) {

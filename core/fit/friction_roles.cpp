@@ -151,14 +151,7 @@ class FrictionRoleFinder {
   void findFrictionForce() {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if ((isFrictionInNewtons(block_.columns[i]) ||
-           isOneOf(plainWord(block_.columns[i].name),
-                   "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
-                   "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
-                   "\u0441\u0438\u043B\u0430\u0442\u0440\u0435\u043D\u0438\u044F "
-                   "s\u00FCrt\u00FCnmekuvveti t\u0159ec\u00EDs\u00EDla "
-                   "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
-                   "fuerzaderozamiento fuerzatangencial")) &&
+      if ((isFrictionInNewtons(block_.columns[i]) || isForceOfFriction(block_.columns[i].name)) &&
           !block_.columns[i].isText)
         found.push_back(i);
     if (found.size() != 1) return;

@@ -958,5 +958,73 @@ TEST(FrictionData, ALoadMayBeAPressureAndAVelocityPerHour) {
               1e-9);
 }
 
+TEST(FrictionData, LinesBelowTheTableAreOfAllPoints) {
+  for (const char* below :
+       {"Temperature: 23 \u00B0C\nLoad: 50 N\n", "Normal force;50;N\nTemperature;\u00B0C;23\n"}) {
+    const FrictionData data = parsed(fmt::format("v (mm/s);mu\n1;0.2\n10;0.35\n\n{}", below));
+    ASSERT_EQ(data.points.size(), 2U) << below;
+    EXPECT_DOUBLE_EQ(data.points[1].temperature, 296.15) << below;
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 50) << below;
+  }
+  EXPECT_THAT(errorOf("v (mm/s);mu\n1;0.2\n10;0.35\n\nT at the end: 25 \u00B0C\n"),
+              HasSubstr("line 5: 'T at the end: 25 \u00B0C' may state the temperature"));
+}
+
+TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
+  const FrictionData data =
+      parsed("v (mm/s);mu\nT = 5 \u00B0C;\n1;0.6\n10;0.8\nT = 20 \u00B0C;\n1;0.5\n10;0.7\n");
+  ASSERT_EQ(data.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(data.points[0].temperature, 278.15);
+  EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(data.points[3].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(data.points[3].mu, 0.7);
+  // What these do not say would be lost.
+  EXPECT_THAT(errorOf("v (mm/s);mu\ndry\n1;0.6\n10;0.8\nwet\n1;0.5\n10;0.7\n"),
+              HasSubstr("has several tables of friction, at lines 3 and 6"));
+}
+
+TEST(FrictionData, TheForceOfFrictionMayHaveItsSymbolBesideIt) {
+  for (const char* name : {"Reibkraft F_R [N]", "Friction force Ff (N)", "Reibungskraft FR [N]",
+                           "tangential force F_t (N)"}) {
+    const FrictionData data =
+        parsed(fmt::format("v (mm/s);{};Normalkraft F_N [N]\n1;10;50\n10;-20;50\n", name));
+    EXPECT_DOUBLE_EQ(data.points[0].mu, 0.2) << name;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.4) << name;
+  }
+}
+
+/// Rows of velocities or temperatures below loads, velocities or temperatures.
+TEST(FrictionData, HeadsOfColumnsBelowALineThatNamesFriction) {
+  const FrictionData loads = parsed("COF at load (N)\nv (mm/s);5;10\n1;0.5;0.4\n10;0.7;0.6\n");
+  ASSERT_EQ(loads.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(loads.points[2].normalForce, 10);
+  EXPECT_DOUBLE_EQ(loads.points[2].mu, 0.4);
+  const FrictionData corner = parsed(
+      "Coefficient of friction\n;v = 1 mm/s;v = 10 mm/s\n20 \u00B0C;0.5;0.7\n40 "
+      "\u00B0C;0.4;0.6\n");
+  ASSERT_EQ(corner.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(corner.points[1].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(corner.points[1].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(corner.points[2].mu, 0.4);
+  EXPECT_DOUBLE_EQ(corner.points[2].temperature, 313.15);
+}
+
+TEST(FrictionData, NamesOfMoreLanguages) {
+  for (const char* text :
+       {"Velocidade (mm/s);Coeficiente de atrito;Desvio padr\u00E3o;For\u00E7a normal (N)\n",
+        "\u6ED1\u52A8\u901F\u5EA6(mm/s);\u6469\u64E6\u7CFB\u6570;\u6807\u51C6\u5DEE;"
+        "\u8F7D\u8377(N)\n",
+        "Hastighet (mm/s);Friktionskoefficient;Standardavvikelse;Normalkraft (N)\n",
+        "Pr\u0119dko\u015B\u0107 po\u015Blizgu (mm/s);Wsp\u00F3\u0142czynnik tarcia;SD;"
+        "Obci\u0105\u017Cenie (N)\n"}) {
+    const FrictionData data = parsed(std::string(text) + "1;0.2;0.01;50\n10;0.35;0.02;50\n");
+    ASSERT_EQ(data.points.size(), 2U) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.35) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].muError, 0.02) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 50) << text;
+  }
+}
+
 }  // namespace
 }  // namespace asperity
