@@ -499,5 +499,19 @@ TEST(DmaForms, ALossFactorInPerCentNeedsItsUnit) {
   expectRow(read("f (Hz);T (C);G' (MPa);tan delta [1]" + rows).rows[0], 293.15, 1, 2e6, 2e7);
 }
 
+TEST(DmaForms, TemperaturesBetweenTheRowsOfOneTable) {
+  const std::string names = "f (Hz);G' (MPa);G'' (MPa)\n";
+  for (const char* end : {"", ";;"}) {
+    const DmaFile file = read(names + "T = 5 \u00B0C" + end + "\n1;3;1\n10;4;2\nT = 20 \u00B0C" +
+                              end + "\n1;2;0.5\n10;3;1\n");
+    ASSERT_EQ(file.rows.size(), 4U) << end;
+    expectRow(file.rows[1], 278.15, 10, 4e6, 2e6);
+    expectRow(file.rows[2], 293.15, 1, 2e6, 0.5e6);
+  }
+  const DmaFile runs = read("T = 5 \u00B0C\n" + names + "1;3;1\n10;4;2\nRun 2\n1;2;0.5\n10;3;1\n");
+  ASSERT_EQ(runs.rows.size(), 2U);
+  EXPECT_THAT(notesOf(runs), Contains("tables of numbers that are not used: at line 6"));
+}
+
 }  // namespace
 }  // namespace asperity
