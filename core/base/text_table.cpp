@@ -84,11 +84,14 @@ std::string TextPart::entry(std::string_view key) const {
 namespace {
 
 /// Returns whether a block is a list of names and numbers, as "Load [N];75" below "Compound;A12",
-/// where the third column may have units.
+/// which may have units behind the numbers or in front of them.
 bool isList(const TextBlock& block) {
-  const std::size_t count = block.columns.size();
-  return (count == 2 || (count == 3 && block.columns[2].isText)) && block.columns[0].isText &&
-         !block.columns[1].isText;
+  const std::vector<TextColumn>& columns = block.columns;
+  if (columns.size() < 2 || columns.size() > 3 || !columns[0].isText) return false;
+  if (columns.size() == 2 || columns[2].isText) return !columns[1].isText;
+  return columns[1].isText && std::ranges::any_of(block.texts[1], [](const std::string& unit) {
+           return isKnownUnit(unit);
+         });
 }
 
 bool hasTwoNumbers(const TextBlock& block) {
@@ -98,13 +101,14 @@ bool hasTwoNumbers(const TextBlock& block) {
 /// Returns the lines of a list as they would stand above a table.
 std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
   std::vector<TextEntry> entries = list.header;
+  const std::size_t numbers = list.columns[1].isText ? 2 : 1, units = 3 - numbers;
   for (std::size_t row = 0; row < list.rows; ++row) {
-    if (std::isnan(list.at(row, 1))) continue;
-    std::string value = plain(list.at(row, 1)).text;
+    if (std::isnan(list.at(row, numbers))) continue;
+    std::string value = plain(list.at(row, numbers)).text;
     std::ranges::replace(value, '.', decimal);
-    if (row < list.cells[1].size() && !list.cells[1][row].text.empty())
-      value = list.cells[1][row].text;
-    if (list.columns.size() == 3) appendItem(value, list.texts[2][row], " ");
+    if (row < list.cells[numbers].size() && !list.cells[numbers][row].text.empty())
+      value = list.cells[numbers][row].text;
+    if (list.columns.size() == 3) appendItem(value, list.texts[units][row], " ");
     const std::string& key = list.texts[0][row];
     entries.push_back({key, value, list.lines[row], key + ": " + value});
   }
@@ -159,10 +163,11 @@ void moveListsAbove(TextTable& table) {
 void repeatNames(TextTable& table) {
   const auto isOfState = [](const TextEntry& entry) {
     const std::string line = joinEntry(entry);
-    return std::ranges::any_of(splitClauses(line), [](std::string_view clause) {
-      const auto statement = parseStatement(clause);
-      return (statement && isKnownUnit(statement->unit())) || statesQuantity(clause);
-    });
+    const bool isDrawn = line.find_first_not_of("-=_+|;,* ") == line.npos;
+    return isDrawn || std::ranges::any_of(splitClauses(line), [](std::string_view clause) {
+             const auto statement = parseStatement(clause);
+             return (statement && isKnownUnit(statement->unit())) || statesQuantity(clause);
+           });
   };
   for (std::size_t i = 1; i < table.blocks.size(); ++i) {
     const TextBlock& before = table.blocks[i - 1];

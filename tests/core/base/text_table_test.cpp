@@ -687,6 +687,7 @@ TEST(TextTable, NamesHoldForRowsBelowAStatement) {
   for (const char* text :
        {"x (mm);z\nT = 5 \u00B0C\n1;2\n3;4\nT = 20 \u00B0C\n5;6\n7;8\n",
         "x (mm);z\nT = 5 \u00B0C;\n1;2\n3;4\nT = 20 \u00B0C;\n5;6\n7;8\n",
+        "x (mm);z\n1;2\n3;4\n---\n5;6\n7;8\n",
         "x (mm);z\nSample A, T = 5 \u00B0C\n1;2\n3;4\n\nSample A, T = 20 \u00B0C\n5;6\n7;8\n"}) {
     TextTable table = read(text);
     repeatNames(table);
