@@ -95,7 +95,7 @@ constexpr QuantityNames kKnownNames[] = {
      "\u0442\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430\u043E\u0431\u0440\u0430"
      "\u0437\u0446\u0430 "
      "s\u0131cakl\u0131k teplota "
-     "temperature temp t temperatur sampletemperature specimentemperature rubbertemperature "
+     "temperature temp t \u03D1 temperatur sampletemperature specimentemperature rubbertemperature "
      "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
      "temperaturerubber temperaturesample temperaturespecimen pr\u00FCftemperatur prueftemperatur "
      "temp\u00E9rature temperatura \u6E29\u5EA6 temperaturgummi temperaturprobe messtemperatur "
@@ -174,7 +174,7 @@ std::optional<std::string> withoutAverage(std::string name) {
   }
   std::vector<std::string> words = nameWords(name);
   std::erase_if(words, [](const std::string& word) {
-    return isOneOf(word, "mean the average avg mittel mittelwert mittlere mittlerer");
+    return isOneOf(word, "mean median the average avg mittel mittelwert mittlere mittlerer");
   });
   if (words.empty() || words.size() == all) return {};
   std::string kept;
@@ -324,7 +324,8 @@ bool isForceOfFriction(const std::string& name) {
                    "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
                    "fuerzaderozamiento fuerzatangencial");
   };
-  return isNamed(plainWord(name)) ||
+  const auto plain = withoutAverage(name);
+  return isNamed(plainWord(name)) || (plain && isNamed(plainWord(*plain))) ||
          isStatedTwice(name, [&](const std::string& front, const std::string& back) {
            return isNamed(front) && isNamed(back);
          });

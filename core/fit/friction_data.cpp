@@ -14,6 +14,7 @@
 #include "core/fit/friction_preparation.h"
 #include "core/fit/friction_roles.h"
 #include "core/fit/friction_rows.h"
+#include "core/material/dma_cells.h"
 #include "core/material/temperature_shift.h"
 
 namespace asperity {
@@ -31,14 +32,15 @@ bool hasFriction(const TextBlock& block) {
   return hasVelocity && hasMu;
 }
 
-/// Reads the blocks of a text and prepares their columns.
-TextTable readTable(std::string_view bytes, const std::string& name) {
+/// Reads the blocks of a text and prepares their columns. notes: on how the table was understood.
+TextTable readTable(std::string_view bytes, const std::string& name, std::vector<Message>& notes) {
   TextTableOptions options;
   options.keepsTexts = options.readsCells = true;
   options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
                          "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
   repeatNames(table);
+  transposeRows(table, hasFriction, notes);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();
   });
@@ -213,7 +215,8 @@ void refuseFurtherRows(const std::vector<const TextBlock*>& ofFriction, const Te
   }
 }
 
-FrictionData readPoints(const TextTable& table, const std::string& name) {
+FrictionData readPoints(const TextTable& table, const std::string& name,
+                        const std::vector<Message>& ofTable) {
   const std::vector<const TextBlock*> ofFriction = tablesOfFriction(table);
   for (const TextBlock& block : table.blocks)
     if (std::ranges::find(ofFriction, &block) == ofFriction.end()) refuseStatements(block, name);
@@ -242,6 +245,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
   if (const std::string lines = otherTables(table, ofFriction); !lines.empty())
     data.notes.push_back(message("tables of numbers that are not used: at line {}",
                                  PrintedNumber{shortened(lines)}));
+  data.notes.insert(data.notes.end(), ofTable.begin(), ofTable.end());
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   std::ranges::move(doubtsAbout(table), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
@@ -256,17 +260,20 @@ InputError missingFrictionData() {
 
 bool isFrictionTable(std::string_view bytes) {
   try {
-    const TextTable table = readTable(bytes, {});
+    std::vector<Message> notes;
+    const TextTable table = readTable(bytes, {}, notes);
     if (std::ranges::any_of(table.blocks, hasFriction)) return true;
     // A line above the table may state the velocity, and forces give friction.
-    return table.largest().hasNames() && !readPoints(table, {}).points.empty();
+    return table.largest().hasNames() && !readPoints(table, {}, notes).points.empty();
   } catch (const InputError&) {
     return false;
   }
 }
 
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
-  return readPoints(readTable(bytes, name), name);
+  std::vector<Message> notes;
+  const TextTable table = readTable(bytes, name, notes);
+  return readPoints(table, name, notes);
 }
 
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label) {

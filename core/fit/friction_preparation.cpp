@@ -234,9 +234,18 @@ bool namesOtherForce(const TextEntry& entry) {
 /// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
 /// table names it.
 void nameFrictionInStates(TextBlock& block) {
-  const bool hasMu = std::ranges::any_of(block.columns, [](const TextColumn& column) {
+  const auto isMu = [](const TextColumn& column) {
     return findMeaning(column) == FrictionQuantity::Mu;
-  });
+  };
+  // A unit in the cells of the first column names it: "mu;5 \u00B0C;20 \u00B0C" above "1
+  // mm/s;0.6;0.5".
+  TextColumn heads;
+  if (!block.columns.empty() && !block.cells[0].empty())
+    if (const auto quantity = stateOfUnit(block.cells[0].front().unit))
+      heads.name = meaningOf(*quantity);
+  const bool isCorner = !heads.name.empty() && isMu(block.columns.front());
+  const bool hasMu =
+      std::any_of(block.columns.begin() + (isCorner ? 1 : 0), block.columns.end(), isMu);
   const bool hasOtherForce = std::ranges::any_of(block.header, [&block](const TextEntry& entry) {
     return namesOtherForce(entry) && !isLineOfNames(entry, block.columns);
   });
@@ -254,13 +263,11 @@ void nameFrictionInStates(TextBlock& block) {
       if (anyColumn(words, i, kMaxWords, isFriction)) return true;
     return false;
   };
-  if (hasMu || block.columns.size() < 3 || std::ranges::none_of(block.header, namesFriction))
+  if (hasMu || block.columns.size() < 3 ||
+      (!isCorner && std::ranges::none_of(block.header, namesFriction)))
     return;
   TextBlock named = block;
-  // A unit in the cells of the first column names it.
-  if (TextColumn& heads = named.columns.front(); heads.name.empty() && !block.cells[0].empty())
-    if (const auto quantity = stateOfUnit(block.cells[0].front().unit))
-      heads.name = meaningOf(*quantity);
+  if (isCorner || named.columns.front().name.empty()) named.columns.front().name = heads.name;
   const auto ofRows = findMeaning(named.columns.front());
   const TextColumn of =
       quantityOfHeads(named.columns.front(), named.header, [ofRows](const TextColumn& column) {

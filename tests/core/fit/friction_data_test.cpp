@@ -985,7 +985,7 @@ TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
 
 TEST(FrictionData, TheForceOfFrictionMayHaveItsSymbolBesideIt) {
   for (const char* name : {"Reibkraft F_R [N]", "Friction force Ff (N)", "Reibungskraft FR [N]",
-                           "tangential force F_t (N)"}) {
+                           "tangential force F_t (N)", "mean friction force (N)"}) {
     const FrictionData data =
         parsed(fmt::format("v (mm/s);{};Normalkraft F_N [N]\n1;10;50\n10;-20;50\n", name));
     EXPECT_DOUBLE_EQ(data.points[0].mu, 0.2) << name;
@@ -1007,6 +1007,27 @@ TEST(FrictionData, HeadsOfColumnsBelowALineThatNamesFriction) {
   EXPECT_DOUBLE_EQ(corner.points[1].temperature, 293.15);
   EXPECT_DOUBLE_EQ(corner.points[2].mu, 0.4);
   EXPECT_DOUBLE_EQ(corner.points[2].temperature, 313.15);
+  for (const char* text : {"mu;5 \u00B0C;20 \u00B0C\n1 mm/s;0.6;0.5\n10 mm/s;0.8;0.7\n",
+                           "COF;T (\u00B0C);\nv (mm/s);5;20\n1;0.6;0.5\n10;0.8;0.7\n"}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 4U) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.8) << text;
+    EXPECT_DOUBLE_EQ(data.points[2].mu, 0.5) << text;
+    EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15) << text;
+  }
+}
+
+TEST(FrictionData, OneRowForEachQuantity) {
+  const FrictionData data =
+      parsed("v (mm/s);1;10;100\nmu;0.61;0.83;1.12\nsd;0.02;0.03;0.04\nT (\u00B0C);5;20;40\n");
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(data.points[1].mu, 0.83);
+  EXPECT_DOUBLE_EQ(data.points[1].muError, 0.03);
+  EXPECT_DOUBLE_EQ(data.points[2].temperature, 313.15);
+  EXPECT_EQ(data.notes.back().english(),
+            "the table has one row for each quantity, and its columns are the points");
 }
 
 TEST(FrictionData, NamesOfMoreLanguages) {
