@@ -376,6 +376,7 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
   std::vector<Message> ofCells;
   repeatNames(table);
+  moveLinesAbove(table);
   joinMatrices(table, ofCells);
   transposeRows(table, isSweep, ofCells);
   separateCells(table, name, ofCells);

@@ -252,6 +252,14 @@ bool statesShift(const TextTable& table) {
          std::ranges::any_of(table.blocks, isShiftTable);
 }
 
+void moveLinesAbove(TextTable& table) {
+  const auto isOther = [](const TextBlock& block) { return !isShiftTable(block); };
+  if (std::ranges::count_if(table.blocks, isOther) != 1) return;
+  std::vector<TextEntry>& header = std::ranges::find_if(table.blocks, isOther)->header;
+  std::ranges::move(table.trailer, std::back_inserter(header));
+  table.trailer.clear();
+}
+
 StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,
                         const std::string& unit) {
   StatedShift stated;

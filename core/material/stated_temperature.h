@@ -51,6 +51,11 @@ std::optional<HeaderTemperature> temperatureInName(const std::string& fileName);
 std::optional<double> statedShiftReference(const TextTable& table, const std::string& unit,
                                            bool isOfGlass);
 
+/// Moves the lines below the tables of a file above the one of measurements or of a series, where a
+/// temperature and a shift are looked for; not where there are several beside those of shift
+/// factors.
+void moveLinesAbove(TextTable& table);
+
 // ---- The shift, of master curves and Prony series
 
 struct StatedShift {

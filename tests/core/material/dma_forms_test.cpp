@@ -513,5 +513,15 @@ TEST(DmaForms, TemperaturesBetweenTheRowsOfOneTable) {
   EXPECT_THAT(notesOf(runs), Contains("tables of numbers that are not used: at line 6"));
 }
 
+TEST(DmaForms, LinesBelowTheOnlyTableCountAsThoseAboveIt) {
+  const DmaFile file = read(
+      "f (Hz);G' (MPa);G'' (MPa)\n1;3;1\n10;4;2\n\nReference temperature: 20 \u00B0C\n"
+      "C1 = 8.86; C2 = 101.6 K\n");
+  ASSERT_EQ(file.rows.size(), 2U);
+  expectRow(file.rows[0], 293.15, 1, 3e6, 1e6);
+  ASSERT_TRUE(file.shift);
+  EXPECT_DOUBLE_EQ(file.shift->c1, 8.86);
+}
+
 }  // namespace
 }  // namespace asperity
