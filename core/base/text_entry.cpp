@@ -71,7 +71,7 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   // "\Scan Size: 120 120 ~m" in quotes, as NanoScope writes it
   if (const std::string_view bare =
           trimmedField(line.substr(0, line.find_last_not_of(";, \t") + 1));
-      line.starts_with('"') && bare.find('"') == bare.npos)
+      line.find_first_of("\"'") == 0 && bare.find('"') == bare.npos)
     line = bare;
   TextEntry entry{{}, std::string(line), kept.number};
   entry.written = line.substr(0, line.find_last_not_of(";, \t") + 1);

@@ -94,6 +94,7 @@ TEST(TextHeader, AUnitMayStandInFrontOfItsNumber) {
   const TextEntry quoted = parseEntry({"\"Temperature: 5 \u00B0C\",,", 1}, comma);
   EXPECT_EQ(quoted.key, "Temperature");
   EXPECT_EQ(quoted.value, "5 \u00B0C");
+  EXPECT_EQ(parseEntry({"'Load: 5 N',,", 1}, comma).value, "5 N");
 }
 
 TEST(TextHeader, AWordSuchAsAtBelongsToTheNameBeforeIt) {
