@@ -66,6 +66,19 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
 
 }  // namespace
 
+bool isUnitInFront(std::string_view key, std::string_view unit) {
+  if (!isKnownUnit(unit)) return false;
+  const std::string_view bare = withoutBrackets(unit);
+  if ((bare.size() > 1 && bare != "PA") || bare == "%" || bare.size() != trimmedField(unit).size())
+    return true;
+  // "Sample;N;50" has a name, "Load;N;50" a unit.
+  const std::string word = lowerCase(trimmedField(key));
+  const std::string_view last = std::string_view(word).substr(word.find_last_of(" \t") + 1);
+  if (bare == "N") return isOneOf(last, "load force last kraft normalkraft");
+  if (bare == "K" || bare == "C") return isOneOf(last, "temperature temperatur");
+  return false;
+}
+
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   std::string_view line = withoutCommentMark(kept.text, dialect);
   // "\Scan Size: 120 120 ~m" in quotes, as NanoScope writes it
@@ -102,7 +115,7 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     for (std::size_t i = 1; i < fields.size(); ++i)
       if (const auto part = trimmedField(fields[i]); !part.empty()) parts.push_back(part);
     // "Width;\u00B5m;10"
-    if (parts.size() == 2 && isKnownUnit(withoutBrackets(parts[0])) && beginsAsNumber(parts[1]))
+    if (parts.size() == 2 && isUnitInFront(fields.front(), parts[0]) && beginsAsNumber(parts[1]))
       parts = {parts[1], withoutBrackets(parts[0])};
     std::string value;
     for (const std::string_view part : parts) appendItem(value, part, " ");

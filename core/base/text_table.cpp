@@ -89,9 +89,9 @@ bool isList(const TextBlock& block) {
   const std::vector<TextColumn>& columns = block.columns;
   if (columns.size() < 2 || columns.size() > 3 || !columns[0].isText) return false;
   if (columns.size() == 2 || columns[2].isText) return !columns[1].isText;
-  return columns[1].isText && std::ranges::any_of(block.texts[1], [](const std::string& unit) {
-           return isKnownUnit(unit);
-         });
+  for (std::size_t row = 0; columns[1].isText && row < block.rows; ++row)
+    if (isUnitInFront(block.texts[0][row], block.texts[1][row])) return true;
+  return false;
 }
 
 bool hasTwoNumbers(const TextBlock& block) {
@@ -108,8 +108,14 @@ std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
     std::ranges::replace(value, '.', decimal);
     if (row < list.cells[numbers].size() && !list.cells[numbers][row].text.empty())
       value = list.cells[numbers][row].text;
-    if (list.columns.size() == 3) appendItem(value, list.texts[units][row], " ");
     const std::string& key = list.texts[0][row];
+    if (list.columns.size() == 3) {
+      const std::string& unit = list.texts[units][row];
+      if (units > numbers || isUnitInFront(key, unit))
+        appendItem(value, unit, " ");
+      else
+        value = unit + " " + value;
+    }
     entries.push_back({key, value, list.lines[row], key + ": " + value});
   }
   return entries;
