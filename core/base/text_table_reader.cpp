@@ -34,14 +34,28 @@ struct JoinedText {
   JoinedText& operator=(const JoinedText&) = delete;
 };
 
+/// Returns whether a line of a quoted field is one of words: neither numbers nor a statement such
+/// as "Width: 10 mm".
+bool isLineOfWords(std::string_view line) {
+  return trimmedBlanks(line).empty() ||
+         (readField(line, '.').kind == FieldKind::Text && !beginsAsNumber(line) &&
+          keyEnd(line) == std::string_view::npos && !statesQuantity(line));
+}
+
 /// Returns the length of a quoted field with line breaks at the beginning of a text; 0 where there
-/// is none. Signs that separate fields do not stand in it, so that no rows are joined.
+/// is none. Its lines have words, and no signs that separate fields, so that no rows are joined.
 std::size_t lengthOfBrokenField(std::string_view text) {
   constexpr std::size_t kLongest = 200;
   bool isBroken = false;
+  std::size_t begin = 1;  // of the line
   for (std::size_t i = 1; i < std::min(text.size(), kLongest); ++i) {
     const std::string_view rest = text.substr(i + 1);
     if (std::string_view(";,|\t").find(text[i]) != std::string_view::npos) return 0;
+    const bool isEnd = text[i] == '\n' || (text[i] == '"' && !rest.starts_with('"'));
+    if (isEnd && (begin > 1 || text[i] == '\n')) {
+      if (!isLineOfWords(trimmedField(text.substr(begin, i - begin)))) return 0;
+      begin = i + 1;
+    }
     isBroken = isBroken || text[i] == '\n';
     if (text[i] != '"') continue;
     if (!rest.starts_with('"'))
@@ -281,24 +295,29 @@ class TableReader {
     return field.kind == FieldKind::Text || field.kind == FieldKind::Flag;
   }
 
-  /// Returns whether a row has words behind its last column.
-  bool hasRemark() const {
-    const std::size_t columns = block().columns.size();
-    const bool isAtEnd = table_.dialect.isExact() && trimmedBlanks(rest_).empty();
-    return kinds_.size() > columns && isWord(kinds_[columns]) && (isAtEnd || nextLineFits());
+  /// Returns whether all fields behind so many are words that change no row.
+  static bool isHarmless(const std::vector<std::string_view>& fields, std::size_t columns) {
+    return fields.size() > columns && isHarmlessRemark(fields[columns]) &&
+           std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(),
+                       [](std::string_view field) {
+                         return trimmedBlanks(field).empty() || isHarmlessRemark(field);
+                       });
   }
 
+  /// Returns whether a row has words behind its last column and rows below it. The last one may be
+  /// the result of all.
+  bool hasRemark() const { return isHarmless(fields_, block().columns.size()) && nextLineFits(); }
+
   /// Leaves out words behind the numbers of a first row, where there are as many names above it and
-  /// numbers below it. Returns whether there are some.
+  /// numbers alone below it. Returns whether there are some.
   bool leaveRemark() {
     const auto isValue = [this](std::string_view field) { return !isWord(read(field)); };
     const auto begin = std::ranges::find_if_not(fields_, isValue);
     const auto count = static_cast<std::size_t>(begin - fields_.begin());
-    if (count < 2 || begin == fields_.end() || isNamed(fields_.size()) || !isNamed(count))
+    if (count < 2 || !isHarmless(fields_, count) || isNamed(fields_.size()) || !isNamed(count))
       return false;
     const std::vector<std::string_view> next = fieldsOfNextLine();
-    if (static_cast<std::size_t>(std::ranges::find_if_not(next, isValue) - next.begin()) != count)
-      return false;
+    if (next.size() != count || !std::ranges::all_of(next, isValue)) return false;
     fields_.resize(count);
     kinds_.resize(count);
     cells_.resize(std::min(cells_.size(), count));
@@ -338,8 +357,7 @@ class TableReader {
       std::vector<std::string_view> fields;
       split(line, fields);
       const std::vector<TextColumn>& columns = block().columns;
-      if (fields.size() > columns.size() && isWord(read(fields[columns.size()])))
-        fields.resize(columns.size());
+      if (isHarmless(fields, columns.size())) fields.resize(columns.size());
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
       if (fields.size() != columns.size()) return false;
@@ -382,6 +400,16 @@ class TableReader {
     return fields.size() == size && isLikeNumber(fields.front());
   }
 
+  /// Returns whether words stand behind a row of numbers with names, right above the next one.
+  bool isRowWithWords() const {
+    const std::size_t columns = block().columns.size();
+    const auto isNumber = [](const Field& field) { return field.kind == FieldKind::Number; };
+    const std::string_view below = rest_.substr(0, rest_.find('\n'));
+    return block().hasNames() && kinds_.size() > columns &&
+           std::all_of(kinds_.begin(), kinds_.begin() + std::ssize(block().columns), isNumber) &&
+           !trimmedBlanks(below.substr(0, below.find('\r'))).empty() && nextLineFits();
+  }
+
   /// Throws InputError for a row with a wrong field or another width where rows continue. Several
   /// such rows are an error, too: results that a program writes below its rows begin with a word.
   void refuseAmidRows(const TextLine& line) const {
@@ -389,13 +417,14 @@ class TableReader {
     const std::vector<TextColumn>& columns = block().columns;
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
     const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
-    if (!isRow || isEntry || !above_.empty() || isNextHeading(line)) return;
+    const bool hasWords = isRowWithWords();
+    if (!isRow || (isEntry && !hasWords) || !above_.empty() || isNextHeading(line)) return;
     const bool isWide = fields_.size() != columns.size();
     const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
                             (!isWide || block().rows >= kManyRows) &&
                             nextLineResembles(fields_.size());
     if (!goOnBroken && !nextLineFits()) return;
-    if (isWide && countOf(FieldKind::Text) == 0)
+    if (isWide && (countOf(FieldKind::Text) == 0 || hasWords))
       fail(fields_.size() == 1 ? message("line {}: has one field where the lines before have {}",
                                          line.number, columns.size())
                                : message("line {}: has {} fields where the lines before have {}",
@@ -618,26 +647,36 @@ class TableReader {
   std::size_t blankLines_ = 0;      // since the last row
 };
 
-/// Takes the units in a column of their own, behind that of the numbers: "v;unit;mu" above
-/// "10;mm/s;0.6". Throws InputError where they differ, except in a list of names and numbers.
+/// Takes the units in a column of their own, behind the only one of numbers that they can belong
+/// to: "v;unit;mu" above "10;mm/s;0.6". Throws InputError where they differ, except in a list of
+/// names and numbers.
 void takeUnits(TextBlock& block, const std::string& name) {
   constexpr WordList kOfUnits("unit units einheit einheiten unit\u00E9 unidad unit\u00E0");
   if (std::ranges::count(block.columns, false, &TextColumn::isText) < 2) return;
-  for (std::size_t i = 1; i < block.columns.size(); ++i) {
+  std::size_t candidates = 0;  // columns of numbers since the last one of units
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    if (!block.columns[i].isText) ++candidates;
+    if (!block.columns[i].isText || !isOneOf(lowerCase(block.columns[i].name), kOfUnits)) continue;
+    if (std::exchange(candidates, 0) != 1 || block.columns[i - 1].isText) continue;
     TextColumn& numbers = block.columns[i - 1];
     const std::vector<std::string>& units = block.texts[i];
-    if (units.empty() || numbers.isText || !numbers.unit.empty() || !isKnownUnit(units.front()) ||
-        !isOneOf(lowerCase(block.columns[i].name), kOfUnits))
-      continue;
-    const auto other =
-        std::ranges::find_if(units, [&](const auto& one) { return one != units[0]; });
-    if (other != units.end())
+    const auto unit = std::ranges::find_if(units, [](const auto& one) { return !one.empty(); });
+    if (unit == units.end() || !numbers.unit.empty() || !isKnownUnit(*unit)) continue;
+    const auto other = std::ranges::find_if(units, [&](const std::string& one) {
+      const auto row = static_cast<std::size_t>(&one - units.data());
+      return one != *unit && !std::isnan(block.at(row, i - 1));
+    });
+    if (other != units.end()) {
+      const auto column = shortened(numbers.name);
       throw InputError(
           name, "",
           message("row {}: {}", block.lines[static_cast<std::size_t>(other - units.begin())],
-                  message("column {} has the unit {} here, and {} elsewhere",
-                          shortened(numbers.name), shortened(*other), shortened(units.front()))));
-    numbers.unit = units.front();
+                  other->empty() ? message("column {} has no unit here, and {} elsewhere", column,
+                                           shortened(*unit))
+                                 : message("column {} has the unit {} here, and {} elsewhere",
+                                           column, shortened(*other), shortened(*unit))));
+    }
+    numbers.unit = *unit;
   }
 }
 

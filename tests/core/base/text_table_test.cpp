@@ -659,18 +659,61 @@ TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
       EXPECT_EQ(doubtsAbout(table).front().english(),
                 "Words behind the columns are not read: lines 2, 4, 5");
     }
-  const TextTable last = read("x;z\n1;2\n3;4\n5;6;end\n");
-  EXPECT_THAT(last.blocks[0].column(1), ElementsAre(2, 4, 6));
+  // The last one may be the result of all.
+  for (const char* text :
+       {"x;z\n1;2\n3;4\n5;6;mean\n", "x;z\n1;2\n3;4\n\n5;6;sum\n", "x;z\n1;2\n3;4\n5;6;end\n"}) {
+    const TextTable last = read(text);
+    EXPECT_THAT(last.blocks[0].column(1), ElementsAre(2, 4)) << text;
+    EXPECT_EQ(last.leftOut.size(), 1U) << text;
+    EXPECT_TRUE(last.remarks.empty()) << text;
+  }
+  const TextTable marked = read("x;z\n1;2\n3;4;ok\n5;6;mean\n");
+  EXPECT_THAT(marked.blocks[0].column(1), ElementsAre(2));
   // A number behind a row is one too many.
   EXPECT_THAT(errorOf("x;z\n1;2\n3;4;5\n5;6\n7;8\n"), HasSubstr("line 3: has 3 fields"));
+}
+
+TEST(TextTable, WordsThatMayChangeARowAreNotLeftOut) {
+  for (const char* words : {"invalid", "bad", "outlier", "T = 60 \u00B0C", "at 60 \u00B0C", "cm/s",
+                            "\u00B1 0.05", "mean", "ok 3"})
+    for (const char* separator : {";", " "}) {
+      const std::string text = replaced(
+          std::string("v mu\n1 0.2\n5 0.9 ") + words + "\n10 0.3\n20 0.4\n", " ", separator);
+      EXPECT_THAT(errorOf(text), HasSubstr("line 3: has ")) << text;
+      // "0.9 cm/s" may be one cell.
+      if (separator == std::string_view(";"))
+        EXPECT_THAT(errorOf(text, withTexts()), HasSubstr("line 3: has ")) << text;
+    }
+  // No row is lost where all have a word behind.
+  for (const char* text : {"v mu load (N)\n1 0.2 50 N\n5 0.9 50 N\n10 0.3 50 N\n",
+                           "v mu\n1 0.2 first\n5 0.9 here\n10 0.3 last\n"})
+    EXPECT_THAT(errorOf(text), HasSubstr("has no rows of numbers")) << text;
+}
+
+TEST(TextTable, QuotedLinesWithNumbersStandAlone) {
+  const TextTable column = read("\"1\n2\n3\n4\n5\"\n");
+  EXPECT_THAT(column.blocks[0].column(0), ElementsAre(2, 3, 4));
+  EXPECT_THAT(column.leftOut, ElementsAre(5));
+  const TextTable width = read("\"Width: 10 mm\nHeight: 5 mm\"\n1;2;3\n4;5;6\n");
+  EXPECT_EQ(width.blocks[0].header.size(), 2U);
+  EXPECT_EQ(width.blocks[0].header[0].key, "\"Width");
 }
 
 TEST(TextTable, CommentsEndRowsOfTablesWithLabelsToo) {
   const TextTable table = read("v mu\n1 0.5 # ok\n2 0.6 # stick slip\n3 0.7 // end\n", withTexts());
   EXPECT_THAT(table.blocks[0].column(1), ElementsAre(0.5, 0.6, 0.7));
   EXPECT_TRUE(table.remarks.empty());
+  for (const char* words : {"invalid", "at 60 \u00B0C"})
+    EXPECT_THAT(errorOf(std::string("v mu\n1 0.5\n2 0.6 # ") + words + "\n3 0.7\n", withTexts()),
+                HasSubstr("line 3: has "))
+        << words;
   const TextTable labels = read("v;mu;sample\n1;0.5;#3\n2;0.6;A # 4\n", withTexts());
   EXPECT_THAT(labels.blocks[0].texts[2], ElementsAre("#3", "A # 4"));
+  for (const char* separator : {", ", "; ", ";", "\t"}) {
+    const TextTable numbered = read(
+        replaced("v;mu;sample\n1;0.2;# 1\n5;0.9;# 2\n10;0.3;# 3\n", ";", separator), withTexts());
+    EXPECT_THAT(numbered.blocks[0].texts[2], ElementsAre("# 1", "# 2", "# 3")) << separator;
+  }
 }
 
 TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
@@ -679,6 +722,16 @@ TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
   EXPECT_EQ(block.columns[2].unit, "");
   EXPECT_THAT(errorOf("v;unit;mu\n1;mm/s;0.5\n1;m/s;0.6\n", withTexts()),
               HasSubstr("row 3: column v has the unit m/s here, and mm/s elsewhere"));
+  EXPECT_THAT(errorOf("v;unit;mu\n1;mm/s;0.5\n10;;0.6\n", withTexts()),
+              HasSubstr("row 3: column v has no unit here, and mm/s elsewhere"));
+  EXPECT_THAT(errorOf("v;unit;mu\n1;;0.5\n10;mm/s;0.6\n", withTexts()), HasSubstr("row 2: "));
+  // Behind several columns, units may be those of each.
+  for (const char* text : {"f;G';G'';unit\n1;3;1;Pa\n10;4;2;Pa\n",
+                           "v (mm/s);mu;Unit\n1;0.5;A\n10;0.6;A\n", "Unit;v;mu\n1;2;3\n4;5;6\n"}) {
+    const TextTable table = read(text, withTexts());
+    for (const TextColumn& column : table.largest().columns)
+      EXPECT_TRUE(column.unit.empty() || column.name == "v") << text;
+  }
   // A sample may be called K.
   EXPECT_EQ(read("v;sample;mu\n1;K;0.5\n10;K;0.6\n", withTexts()).largest().columns[0].unit, "");
 }
