@@ -166,15 +166,49 @@ void moveListsAbove(TextTable& table) {
   }
 }
 
-void repeatNames(TextTable& table) {
-  const auto isOfState = [](const TextEntry& entry) {
-    const std::string line = joinEntry(entry);
-    const bool isDrawn = line.find_first_not_of("-=_+|;,* ") == line.npos;
-    return isDrawn || std::ranges::any_of(splitClauses(line), [](std::string_view clause) {
-             const auto statement = parseStatement(clause);
-             return (statement && isKnownUnit(statement->unit())) || statesQuantity(clause);
-           });
-  };
+namespace {
+
+bool isDrawn(const TextEntry& entry) {
+  return joinEntry(entry).find_first_not_of("-=_+|;,* ") == std::string::npos;
+}
+
+/// Returns whether a clause is a name, a number and a unit and nothing else.
+bool statesOnly(std::string_view clause, const IsQuantity& isQuantity) {
+  const std::size_t sign = clause.find_first_of(":=");
+  const std::size_t number = sign == clause.npos ? clause.find_first_of("+-0123456789") : sign + 1;
+  if (number == clause.npos) return false;
+  const auto value = parseQuantity(clause.substr(number));
+  const std::string_view key = withoutEnd(clause.substr(0, number), " :=");
+  if (!value || (sign == clause.npos && key.size() == number && number > 0)) return false;
+  // "T [\u00B0C] = 20", but not "[1] T = 20 \u00B0C"
+  const TextColumn name = parseColumnName(key);
+  if (!key.starts_with(name.name) || (!name.unit.empty() && !value->unit.empty())) return false;
+  return isQuantity(plainWord(name.name), name.unit + value->unit);
+}
+
+}  // namespace
+
+bool statesOnly(const TextEntry& entry, const IsQuantity& isQuantity) {
+  const std::string line = joinEntry(entry);
+  const std::vector<std::string_view> clauses = splitClauses(line);
+  return !clauses.empty() && std::ranges::all_of(clauses, [&](std::string_view clause) {
+    return statesOnly(clause, isQuantity);
+  });
+}
+
+std::vector<TextEntry> statedBelow(const TextTable& table, const IsQuantity& isQuantity) {
+  std::vector<TextEntry> lines;
+  for (const TextEntry& entry : table.trailer) {
+    if (statesOnly(entry, isQuantity))
+      lines.push_back(entry);
+    else if ((entry.key.empty() || entry.value.empty()) && !isDrawn(entry))
+      break;
+  }
+  return lines;
+}
+
+void repeatNames(TextTable& table, const IsQuantity& isState) {
+  const auto isOfState = [&](const TextEntry& entry) { return statesOnly(entry, isState); };
   for (std::size_t i = 1; i < table.blocks.size(); ++i) {
     const TextBlock& before = table.blocks[i - 1];
     TextBlock& block = table.blocks[i];
@@ -184,8 +218,10 @@ void repeatNames(TextTable& table) {
     // "T = 20 \u00B0C;;" has been taken for the name of the first column.
     const bool hasNames = std::any_of(block.columns.begin() + 1, block.columns.end(),
                                       [](const TextColumn& one) { return !one.name.empty(); });
-    if (isAlike && !hasNames && !block.header.empty() &&
-        std::ranges::all_of(block.header, isOfState))
+    if (isAlike && !hasNames && std::ranges::any_of(block.header, isOfState) &&
+        std::ranges::all_of(block.header, [&](const TextEntry& entry) {
+          return isDrawn(entry) || isOfState(entry);
+        }))
       block.columns = before.columns;
   }
 }

@@ -174,7 +174,7 @@ std::optional<std::string> withoutAverage(std::string name) {
   }
   std::vector<std::string> words = nameWords(name);
   std::erase_if(words, [](const std::string& word) {
-    return isOneOf(word, "mean median the average avg mittel mittelwert mittlere mittlerer");
+    return isOneOf(word, "mean the average avg mittel mittelwert mittlere mittlerer");
   });
   if (words.empty() || words.size() == all) return {};
   std::string kept;
@@ -315,20 +315,26 @@ bool isOtherLoad(const std::vector<std::string>& words) {
 }
 
 bool isForceOfFriction(const std::string& name) {
-  const auto isNamed = [](const std::string& word) {
-    return isOneOf(word,
-                   "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
-                   "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
-                   "\u0441\u0438\u043B\u0430\u0442\u0440\u0435\u043D\u0438\u044F "
-                   "s\u00FCrt\u00FCnmekuvveti t\u0159ec\u00EDs\u00EDla "
-                   "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
-                   "fuerzaderozamiento fuerzatangencial");
-  };
+  return isOneOf(plainWord(name),
+                 "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
+                 "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
+                 "\u0441\u0438\u043B\u0430\u0442\u0440\u0435\u043D\u0438\u044F "
+                 "s\u00FCrt\u00FCnmekuvveti t\u0159ec\u00EDs\u00EDla "
+                 "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
+                 "fuerzaderozamiento fuerzatangencial");
+}
+
+bool meansForceOfFriction(const std::string& name) {
   const auto plain = withoutAverage(name);
-  return isNamed(plainWord(name)) || (plain && isNamed(plainWord(*plain))) ||
-         isStatedTwice(name, [&](const std::string& front, const std::string& back) {
-           return isNamed(front) && isNamed(back);
+  return isForceOfFriction(name) || (plain && isForceOfFriction(*plain)) ||
+         isStatedTwice(name, [](const std::string& front, const std::string& back) {
+           return isForceOfFriction(front) && isForceOfFriction(back);
          });
+}
+
+bool isStateNamed(const std::string& word, const std::string& unit) {
+  const auto state = stateOfUnit(unit);
+  return state && quantityNamed(word) && findMeaning(word, unit) == state;
 }
 
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit) {

@@ -89,9 +89,16 @@ std::optional<FrictionQuantity> stateOfUnit(const std::string& unit);
 /// force of friction, the shear stress, the modulus of the rubber.
 bool isOtherLoad(const std::vector<std::string>& words);
 
-/// Returns whether a name is that of the force of friction, in words, by its symbol or both:
-/// "Reibkraft F_R".
+/// Returns whether a name is that of the force of friction and nothing else.
 bool isForceOfFriction(const std::string& name);
+
+/// Returns whether a name is that of the force of friction, of its mean, or in words and by its
+/// symbol: "Reibkraft F_R".
+bool meansForceOfFriction(const std::string& name);
+
+/// Returns whether a name in lower case and a unit are those of a load, a temperature or a velocity
+/// and nothing else.
+bool isStateNamed(const std::string& word, const std::string& unit);
 
 /// Returns the words of a name in letters and digits: "fz", "track" and "mean" of "Fz_track
 /// (mean)".

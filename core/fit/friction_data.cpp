@@ -39,7 +39,9 @@ TextTable readTable(std::string_view bytes, const std::string& name, std::vector
   options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
                          "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
-  repeatNames(table);
+  repeatNames(table, [](const std::string& word, const std::string& unit) {
+    return word.empty() ? measures(unit, Quantity::Temperature) : isStateNamed(word, unit);
+  });
   transposeRows(table, hasFriction, notes);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();
@@ -149,15 +151,6 @@ struct ReadTable {
   FrictionRows rows{};
 };
 
-[[noreturn]] void refuseSeveral(const TextBlock& first, const TextBlock& further,
-                                const std::string& name) {
-  throw InputError(name, "",
-                   message("has several tables of friction, at lines {} and {}; each needs a "
-                           "file of its own, or all one table with a column that tells them "
-                           "apart, such as temperature or label",
-                           first.lines.front(), further.lines.front()));
-}
-
 /// Completes what the lines above a further table state by those above the first one, except for
 /// what its columns give. Throws InputError where they do not tell the tables apart: each has to
 /// state the same loads or temperatures as the first.
@@ -166,14 +159,18 @@ void completeStatements(ReadTable& further, const ReadTable& first, const std::s
   if (common.empty() || !std::ranges::all_of(common, [&](const HeaderStatement& one) {
         return first.header.hasCommon(*one.quantity);
       }))
-    refuseSeveral(first.block, further.block, name);
+    throw InputError(name, "",
+                     message("has several tables of friction, at lines {} and {}; each needs a "
+                             "file of its own, or all one table with a column that tells them "
+                             "apart, such as temperature or label",
+                             first.block.lines.front(), further.block.lines.front()));
   for (const HeaderStatement& one : first.header.common)
     if (!further.header.hasCommon(*one.quantity) && !further.roles.isGiven(*one.quantity))
       common.push_back(one);
 }
 
 /// Reads one table of friction. first: the one before it; null where it is the first one. below:
-/// the lines below it that are of all its points as well.
+/// the lines below it that are of all its points as well; those above it precede them.
 ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* first,
                   const std::vector<TextEntry>& below, const std::string& name) {
   ReadTable one{.block = written};
@@ -181,10 +178,9 @@ ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTa
   one.roles = findRoles(one.block, name);
   refuseUnitsElsewhere({table, written}, one.roles, name);
   one.mark = decimalMark(one.block, table.dialect);
-  std::vector<TextEntry> lines = one.block.header;
-  lines.insert(lines.end(), below.begin(), below.end());
-  one.header = readHeader(
-      lines, one.mark, [&](Quantity quantity) { return one.roles.isGiven(quantity); }, name);
+  const auto isGiven = [&](Quantity quantity) { return one.roles.isGiven(quantity); };
+  one.header = readHeader(one.block.header, one.mark, isGiven, name);
+  addBelow(one.header, readHeader(below, one.mark, isGiven, name));
   if (first) completeStatements(one, *first, name);
   requireQuantities(
       one.block, one.roles, [&](Quantity quantity) { return one.header.hasCommon(quantity); },
@@ -203,18 +199,6 @@ std::string otherTables(const TextTable& table, const std::vector<const TextBloc
   return lines;
 }
 
-/// Throws InputError for numbers without names below a table of friction with as many columns: they
-/// may be of it, as below "dry" and "wet" between its rows.
-void refuseFurtherRows(const std::vector<const TextBlock*>& ofFriction, const TextTable& table,
-                       const std::string& name) {
-  for (const TextBlock* block : ofFriction) {
-    if (block == &table.blocks.back() || !hasFriction(*block)) continue;
-    const TextBlock& next = *std::next(block);
-    if (!next.hasNames() && next.columns.size() == block->columns.size())
-      refuseSeveral(*block, next, name);
-  }
-}
-
 FrictionData readPoints(const TextTable& table, const std::string& name,
                         const std::vector<Message>& ofTable) {
   const std::vector<const TextBlock*> ofFriction = tablesOfFriction(table);
@@ -223,9 +207,10 @@ FrictionData readPoints(const TextTable& table, const std::string& name,
   FrictionData data{name};
   std::vector<ReadTable> tables;
   for (const TextBlock* block : ofFriction) {
-    const bool isLast = block == ofFriction.back();
+    const bool isOnly = ofFriction.size() == 1 && block == &table.blocks.back();
     tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(),
-                             isLast ? table.trailer : std::vector<TextEntry>{}, name));
+                             isOnly ? statedBelow(table, isStateNamed) : std::vector<TextEntry>{},
+                             name));
     const ReadTable& one = tables.back();
     data.points.insert(data.points.end(), one.rows.points.begin(), one.rows.points.end());
     for (const std::vector<Message>& notes :
@@ -233,7 +218,6 @@ FrictionData readPoints(const TextTable& table, const std::string& name,
           one.rows.notes})
       data.notes.insert(data.notes.end(), notes.begin(), notes.end());
   }
-  refuseFurtherRows(ofFriction, table, name);
   requirePoints(data.points, name);
   for (const ReadTable& one : tables) checkColumns(one.rows.points, one.block, one.roles, name);
   checkPoints(data.points,

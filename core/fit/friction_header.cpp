@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -417,6 +418,22 @@ HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mar
   std::ranges::stable_sort(read.unused, {}, &HeaderStatement::line);
   for (const HeaderStatement& one : read.unused) refuseUnclear(one, read.common, isGiven, name);
   return read;
+}
+
+void addBelow(HeaderStatements& above, HeaderStatements below) {
+  const auto isSaidAbove = [&above](const HeaderStatement& one) {
+    const auto isSame = [&one](const HeaderStatement& other) {
+      const auto quantity = other.quantity ? other.quantity : other.candidate;
+      return quantity && sayTheSame(*quantity, *one.quantity);
+    };
+    return std::ranges::any_of(above.common, isSame) || std::ranges::any_of(above.unused, isSame);
+  };
+  std::vector<HeaderStatement> common;
+  for (HeaderStatement& one : below.common)
+    (isSaidAbove(one) ? below.unused : common).push_back(std::move(one));
+  std::ranges::move(common, std::back_inserter(above.common));
+  std::ranges::move(below.unused, std::back_inserter(above.unused));
+  above.hasTwoLoads |= below.hasTwoLoads;
 }
 
 }  // namespace asperity

@@ -150,10 +150,14 @@ class FrictionRoleFinder {
   /// friction; beside one it says the same.
   void findFrictionForce() {
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if ((isFrictionInNewtons(block_.columns[i]) || isForceOfFriction(block_.columns[i].name)) &&
-          !block_.columns[i].isText)
-        found.push_back(i);
+    // "Friction force (N)" precedes "Tangential force Fx (N)".
+    for (const auto isNamed : {isForceOfFriction, meansForceOfFriction}) {
+      if (!found.empty()) break;
+      for (std::size_t i = 0; i < block_.columns.size(); ++i)
+        if ((isFrictionInNewtons(block_.columns[i]) || isNamed(block_.columns[i].name)) &&
+            !block_.columns[i].isText)
+          found.push_back(i);
+    }
     if (found.size() != 1) return;
     const std::size_t index = found.front();
     const TextColumn& column = block_.columns[index];

@@ -375,7 +375,9 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
   std::vector<Message> ofCells;
-  repeatNames(table);
+  repeatNames(table, [](const std::string& word, const std::string& unit) {
+    return word.empty() ? temperatureUnit(unit).has_value() : isTemperatureNamed(word, unit);
+  });
   moveLinesAbove(table);
   joinMatrices(table, ofCells);
   transposeRows(table, isSweep, ofCells);

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
 #include "core/material/isotherms.h"
@@ -252,12 +253,43 @@ bool statesShift(const TextTable& table) {
          std::ranges::any_of(table.blocks, isShiftTable);
 }
 
+bool isTemperatureNamed(const std::string& name, const std::string& unit) {
+  return isOneOf(name, "t temp temperature temperatur testtemperature messtemperatur") &&
+         temperatureUnit(unit);
+}
+
 void moveLinesAbove(TextTable& table) {
   const auto isOther = [](const TextBlock& block) { return !isShiftTable(block); };
-  if (std::ranges::count_if(table.blocks, isOther) != 1) return;
-  std::vector<TextEntry>& header = std::ranges::find_if(table.blocks, isOther)->header;
-  std::ranges::move(table.trailer, std::back_inserter(header));
-  table.trailer.clear();
+  TextBlock& block = table.blocks.back();
+  if (!isOther(block) || std::ranges::count_if(table.blocks, isOther) != 1) return;
+  bool hasTemperature = false;
+  const auto lines = statedBelow(table, [&](const std::string& word, const std::string& unit) {
+    const bool isReference = isOneOf(
+        word, "tref referencetemperature reftemperature referenztemperatur bezugstemperatur");
+    if (isTemperatureNamed(word, unit) || (isReference && temperatureUnit(unit)))
+      return hasTemperature = true;
+    if (isOneOf(word, "c1 c\u2081")) return unit.empty();
+    if (isOneOf(word, "c2 c\u2082")) return unit.empty() || temperatureUnit(unit);
+    return isOneOf(word, "ea eact activationenergy aktivierungsenergie") &&
+           unitSize(unit, "J/mol").has_value();
+  });
+  // A line with another temperature or about a shift may change what these mean.
+  const auto isUnclear = [&](const TextEntry& entry) {
+    if (std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end()) return false;
+    const auto stated = parseStatement(joinEntry(entry));
+    return !stated || !isKnownUnit(stated->unit()) || temperatureUnit(stated->unit());
+  };
+  if (std::ranges::any_of(table.trailer, isUnclear)) return;
+  // The lines above the table precede them.
+  try {
+    if (hasTemperature && statedTemperature({table, block}, {}, {}, true)) return;
+  } catch (const InputError&) {
+    return;
+  }
+  std::ranges::copy(lines, std::back_inserter(block.header));
+  std::erase_if(table.trailer, [&](const TextEntry& entry) {
+    return std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end();
+  });
 }
 
 StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,

@@ -51,9 +51,13 @@ std::optional<HeaderTemperature> temperatureInName(const std::string& fileName);
 std::optional<double> statedShiftReference(const TextTable& table, const std::string& unit,
                                            bool isOfGlass);
 
-/// Moves the lines below the tables of a file above the one of measurements or of a series, where a
-/// temperature and a shift are looked for; not where there are several beside those of shift
-/// factors.
+/// Returns whether a name in lower case and a unit are those of the temperature of a test.
+bool isTemperatureNamed(const std::string& name, const std::string& unit);
+
+/// Moves the lines below the table of measurements or of a series above it, where a temperature and
+/// a shift are looked for; only those that state a temperature or a constant of a shift and nothing
+/// else, and only where the table is the last one, no other table has measurements, no line above
+/// states a temperature as they do, and each other line below states another quantity.
 void moveLinesAbove(TextTable& table);
 
 // ---- The shift, of master curves and Prony series

@@ -736,21 +736,43 @@ TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
   EXPECT_EQ(read("v;sample;mu\n1;K;0.5\n10;K;0.6\n", withTexts()).largest().columns[0].unit, "");
 }
 
+bool isTemperature(const std::string& name, const std::string& unit) {
+  return (name.empty() || name == "t" || name == "temperature") && unit == "\u00B0C";
+}
+
 TEST(TextTable, NamesHoldForRowsBelowAStatement) {
-  for (const char* text :
-       {"x (mm);z\nT = 5 \u00B0C\n1;2\n3;4\nT = 20 \u00B0C\n5;6\n7;8\n",
-        "x (mm);z\nT = 5 \u00B0C;\n1;2\n3;4\nT = 20 \u00B0C;\n5;6\n7;8\n",
-        "x (mm);z\n1;2\n3;4\n---\n5;6\n7;8\n",
-        "x (mm);z\nSample A, T = 5 \u00B0C\n1;2\n3;4\n\nSample A, T = 20 \u00B0C\n5;6\n7;8\n"}) {
-    TextTable table = read(text);
-    repeatNames(table);
-    ASSERT_EQ(table.blocks.size(), 2U) << text;
-    EXPECT_EQ(table.blocks[1].columns[0].name, "x") << text;
-    EXPECT_EQ(table.blocks[1].columns[1].name, "z") << text;
+  for (const char* line : {"T = 20 \u00B0C", "T = 20 \u00B0C;", "\nTemperature: 20 \u00B0C",
+                           "T [\u00B0C] = 20", "---\nT = 20,5 \u00B0C"}) {
+    TextTable table = read(std::string("x (mm);z\n1;2\n3;4\n") + line + "\n5;6\n7;8\n");
+    repeatNames(table, isTemperature);
+    ASSERT_EQ(table.blocks.size(), 2U) << line;
+    EXPECT_EQ(table.blocks[1].columns[0].name, "x") << line;
+    EXPECT_EQ(table.blocks[1].columns[1].name, "z") << line;
   }
-  TextTable other = read("x (mm);z\n1;2\n3;4\nRun 2\n5;6\n7;8\n");
-  repeatNames(other);
-  EXPECT_FALSE(other.blocks.back().hasNames());
+}
+
+TEST(TextTable, NamesDoNotHoldBelowOtherLines) {
+  for (const char* line :
+       {"Run 2", "----", "T = 20 \u00B0C, z in mm", "z in mm; T = 20 \u00B0C",
+        "WLF: Tref = 20 \u00B0C", "Tref = 20 \u00B0C", "Tg = -60 \u00B0C",
+        "Mean values, T = 5 \u00B0C", "Mittelwert T = 5 \u00B0C", "Fit at 20 \u00B0C",
+        "shift factors, T = 20 \u00B0C", "[1] T = 20 \u00B0C", "T = 20 \u00B0C (mean)",
+        "duration: 5 min", "T = 20", "T = 20 \u00B0C\nMean", "Sum: T = 20 \u00B0C"}) {
+    TextTable table = read(std::string("x (mm);z\n1;2\n3;4\n") + line + "\n5;6\n7;8\n");
+    repeatNames(table, isTemperature);
+    ASSERT_EQ(table.blocks.size(), 2U) << line;
+    EXPECT_NE(table.blocks[1].columns[1].name, "z") << line;
+  }
+}
+
+TEST(TextTable, LinesBelowATableThatStateAQuantityAlone) {
+  const auto below = [](const std::string& lines) {
+    return statedBelow(read("x (mm);z\n1;2\n3;4\n\n" + lines), isTemperature).size();
+  };
+  EXPECT_EQ(below("Operator: A\nT = 20 \u00B0C\nTemperature;20;\u00B0C\n"), 2U);
+  EXPECT_EQ(below("T = 20\nTest 2: T = 20 \u00B0C\nT: 60 \u00B0C for ageing\n"), 0U);
+  EXPECT_EQ(below("Next test\nT = 20 \u00B0C\n"), 0U);
+  EXPECT_EQ(below("Ageing:\nT = 20 \u00B0C\n"), 0U);
 }
 
 }  // namespace
