@@ -180,7 +180,10 @@ ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTa
   one.mark = decimalMark(one.block, table.dialect);
   const auto isGiven = [&](Quantity quantity) { return one.roles.isGiven(quantity); };
   one.header = readHeader(one.block.header, one.mark, isGiven, name);
-  addBelow(one.header, readHeader(below, one.mark, isGiven, name));
+  const auto isSaid = [&](Quantity quantity) {
+    return isGiven(quantity) || one.header.hasCommon(quantity);
+  };
+  addBelow(one.header, readHeader(below, one.mark, isSaid, name));
   if (first) completeStatements(one, *first, name);
   requireQuantities(
       one.block, one.roles, [&](Quantity quantity) { return one.header.hasCommon(quantity); },

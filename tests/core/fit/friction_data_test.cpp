@@ -1055,7 +1055,8 @@ TEST(FrictionData, OtherLinesBelowTheTableAreNotUsed) {
     EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << below;
     EXPECT_TRUE(std::isnan(data.points[0].temperature)) << below;
   }
-  EXPECT_DOUBLE_EQ(parsed("Load: 50 N\n" + rows + "Load: 60 N\n").points[0].normalForce, 50);
+  for (const char* below : {"Load: 60 N\n", "Load: 4.000 N\n", "Pressure: 0.1 MPa\n"})
+    EXPECT_DOUBLE_EQ(parsed("Load: 50 N\n" + rows + below).points[0].normalForce, 50) << below;
   const FrictionData two = parsed(
       "T = 5 \u00B0C\nv (mm/s);mu\n1;0.2\n10;0.35\n\nT = 20 \u00B0C\nv "
       "(mm/s);mu\n1;0.1\n10;0.15\n\n"
