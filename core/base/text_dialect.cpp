@@ -367,8 +367,7 @@ void splitFields(std::string_view line, Separator separator,
 }
 
 bool isHarmlessRemark(std::string_view text) {
-  constexpr WordList kHarmless(
-      "ok okay good fine gut first last begin start end contact kontakt stick slip here");
+  constexpr WordList kHarmless("ok okay good fine gut");
   std::string words = lowerCase(trimmedField(text));
   std::ranges::replace(words, ',', ' ');
   const std::vector<std::string_view> all = splitWords(words);

@@ -52,7 +52,7 @@ inline std::vector<std::string_view> splitWords(std::string_view line) {
 }
 
 /// Returns whether a text consists of words that change no row behind which they stand, as "ok" or
-/// "first contact". Others may: "invalid", "mean", "T = 60 \u00B0C".
+/// "fine". Others may: "invalid", "mean", "T = 60 \u00B0C".
 bool isHarmlessRemark(std::string_view text);
 
 /// Replaces `fields` by those of a row of numbers. A comment at its end, a blank with "#" or "//"

@@ -76,6 +76,8 @@ bool isUnitInFront(std::string_view key, std::string_view unit) {
   const std::string_view last = std::string_view(word).substr(word.find_last_of(" \t") + 1);
   if (bare == "N") return isOneOf(last, "load force last kraft normalkraft");
   if (bare == "K" || bare == "C") return isOneOf(last, "temperature temperatur");
+  if (bare == "s") return isOneOf(last, "time zeit tau \u03C4 t");
+  if (bare == "m") return isOneOf(last, "x y z position distance weg height h\u00F6he");
   return false;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -172,58 +173,128 @@ bool isDrawn(const TextEntry& entry) {
   return joinEntry(entry).find_first_not_of("-=_+|;,* ") == std::string::npos;
 }
 
-/// Returns whether a clause is a name, a number and a unit and nothing else.
-bool statesOnly(std::string_view clause, const IsQuantity& isQuantity) {
+/// A clause that is a name, a number and a unit and nothing else.
+struct StatedClause {
+  std::string quantity{};  // by the caller's word
+  double number = 0;
+};
+
+/// Reads such a clause; nothing where it is none, or has none of the caller's quantities.
+std::optional<StatedClause> parseStated(std::string_view clause, const StatedQuantity& quantityOf) {
   const std::size_t sign = clause.find_first_of(":=");
   const std::size_t number = sign == clause.npos ? clause.find_first_of("+-0123456789") : sign + 1;
-  if (number == clause.npos) return false;
+  if (number == clause.npos) return {};
   const auto value = parseQuantity(clause.substr(number));
   const std::string_view key = withoutEnd(clause.substr(0, number), " :=");
-  if (!value || (sign == clause.npos && key.size() == number && number > 0)) return false;
+  if (!value || (sign == clause.npos && key.size() == number && number > 0)) return {};
   // "T [\u00B0C] = 20", but not "[1] T = 20 \u00B0C"
   const TextColumn name = parseColumnName(key);
-  if (!key.starts_with(name.name) || (!name.unit.empty() && !value->unit.empty())) return false;
-  return isQuantity(plainWord(name.name), name.unit + value->unit);
+  if (!key.starts_with(name.name) || (!name.unit.empty() && !value->unit.empty())) return {};
+  StatedClause stated{quantityOf(plainWord(name.name), name.unit + value->unit), value->number};
+  return stated.quantity.empty() ? std::nullopt : std::optional(std::move(stated));
+}
+
+/// Returns whether a line below a table is about who measured what, where and when, so that lines
+/// below it still are about the table.
+bool isOfRecord(const TextEntry& entry) {
+  constexpr WordList kOfRecord(
+      "operator bediener pr\u00FCfer date datum time zeit uhrzeit file datei lab labor sample "
+      "probe "
+      "specimen compound mischung material werkstoff surface oberfl\u00E4che track width breite "
+      "length l\u00E4nge thickness dicke area fl\u00E4che");
+  const std::vector<std::string> words = wordsIn(entry.key);
+  return !entry.value.empty() && entry.value.find('=') == std::string::npos && !words.empty() &&
+         isOneOf(words.front(), kOfRecord);
 }
 
 }  // namespace
 
-bool statesOnly(const TextEntry& entry, const IsQuantity& isQuantity) {
-  const std::string line = joinEntry(entry);
-  const std::vector<std::string_view> clauses = splitClauses(line);
-  return !clauses.empty() && std::ranges::all_of(clauses, [&](std::string_view clause) {
-    return statesOnly(clause, isQuantity);
-  });
-}
-
-std::vector<TextEntry> statedBelow(const TextTable& table, const IsQuantity& isQuantity) {
+std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity& quantityOf) {
   std::vector<TextEntry> lines;
   for (const TextEntry& entry : table.trailer) {
-    if (statesOnly(entry, isQuantity))
-      lines.push_back(entry);
-    else if ((entry.key.empty() || entry.value.empty()) && !isDrawn(entry))
-      break;
+    if (isDrawn(entry) || isOfRecord(entry)) continue;
+    const std::string line = joinEntry(entry);
+    const std::vector<std::string_view> clauses = splitClauses(line);
+    const auto isStated = [&](std::string_view clause) {
+      return parseStated(clause, quantityOf).has_value();
+    };
+    if (clauses.empty() || !std::ranges::all_of(clauses, isStated)) break;
+    lines.push_back(entry);
   }
   return lines;
 }
 
-void repeatNames(TextTable& table, const IsQuantity& isState) {
-  const auto isOfState = [&](const TextEntry& entry) { return statesOnly(entry, isState); };
-  for (std::size_t i = 1; i < table.blocks.size(); ++i) {
-    const TextBlock& before = table.blocks[i - 1];
-    TextBlock& block = table.blocks[i];
-    const bool isAlike =
-        block.columns.size() == before.columns.size() &&
-        std::ranges::none_of(before.columns, [](const TextColumn& one) { return one.isText; });
+namespace {
+
+/// How two lines differ.
+enum class Difference { None, Values, Other };
+
+/// Compares two lines by their clauses: "Sample A, T = 5 \u00B0C" and "Sample A, T = 20 \u00B0C"
+/// differ in the values of quantities alone.
+Difference compareLines(const TextEntry& one, const TextEntry& other,
+                        const StatedQuantity& quantityOf) {
+  const std::string first = joinEntry(one), second = joinEntry(other);
+  const std::vector<std::string_view> ofOne = splitClauses(first), ofOther = splitClauses(second);
+  if (ofOne.size() != ofOther.size()) return Difference::Other;
+  Difference difference = Difference::None;
+  for (std::size_t i = 0; i < ofOne.size(); ++i) {
+    if (ofOne[i] == ofOther[i]) continue;
+    const auto before = parseStated(ofOne[i], quantityOf),
+               now = parseStated(ofOther[i], quantityOf);
+    if (!before || !now || before->quantity != now->quantity) return Difference::Other;
+    if (before->number != now->number) difference = Difference::Values;
+  }
+  return difference;
+}
+
+/// Returns whether each line above a block is one of those above the rows before it, with other
+/// values of quantities in at least one, and puts it in the place of that one.
+bool restates(const TextBlock& block, const StatedQuantity& quantityOf,
+              std::vector<TextEntry>& above) {
+  bool hasOtherValue = false;
+  for (const TextEntry& entry : block.header) {
+    if (isDrawn(entry)) continue;
+    const auto same = std::ranges::find_if(above, [&](const TextEntry& one) {
+      return compareLines(one, entry, quantityOf) != Difference::Other;
+    });
+    if (same == above.end()) return false;
+    hasOtherValue |= compareLines(*same, entry, quantityOf) == Difference::Values;
+    *same = entry;
+  }
+  return hasOtherValue;
+}
+
+}  // namespace
+
+std::vector<Message> repeatNames(TextTable& table, const StatedQuantity& quantityOf) {
+  std::vector<Message> notes;
+  const TextBlock* named = nullptr;
+  std::vector<TextEntry> above;  // the lines above the last rows
+  const auto isOfNoColumn = [&](const std::string& name, const std::string& unit) {
+    std::string quantity = quantityOf(name, unit);
+    const auto hasIt = [&](const TextColumn& column) {
+      return quantityOf(plainWord(column.name), column.unit) == quantity;
+    };
+    return std::ranges::any_of(named->columns, hasIt) ? std::string() : quantity;
+  };
+  for (TextBlock& block : table.blocks) {
     // "T = 20 \u00B0C;;" has been taken for the name of the first column.
     const bool hasNames = std::any_of(block.columns.begin() + 1, block.columns.end(),
                                       [](const TextColumn& one) { return !one.name.empty(); });
-    if (isAlike && !hasNames && std::ranges::any_of(block.header, isOfState) &&
-        std::ranges::all_of(block.header, [&](const TextEntry& entry) {
-          return isDrawn(entry) || isOfState(entry);
-        }))
-      block.columns = before.columns;
+    const bool hasTexts = std::ranges::any_of(block.columns, &TextColumn::isText);
+    if (hasNames && !hasTexts) {
+      named = &block;
+      above = block.header;
+    } else if (named && !hasTexts && block.columns.size() == named->columns.size() &&
+               restates(block, isOfNoColumn, above)) {
+      block.columns = named->columns;
+      notes.push_back(message("the rows from line {} on have the columns of the table above them",
+                              block.lines.front()));
+    } else {
+      named = nullptr;
+    }
   }
+  return notes;
 }
 
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity) {

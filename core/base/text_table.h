@@ -128,22 +128,21 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
 /// rows of numbers with names, "Load [N];T [C]" above "75;20".
 void moveListsAbove(TextTable& table);
 
-/// Returns whether a name, in lower case without blanks and brackets, and a unit are those of the
-/// quantity meant.
-using IsQuantity = std::function<bool(const std::string& name, const std::string& unit)>;
+/// Returns the quantity that a name, in lower case without blanks and brackets, and a unit state;
+/// empty where it is none of those meant.
+using StatedQuantity = std::function<std::string(const std::string& name, const std::string& unit)>;
 
-/// Returns whether each clause of a line is a name, a number and a unit and nothing else: "T = 20
-/// \u00B0C; Load 50 N", and "20 \u00B0C" with an empty name.
-bool statesOnly(const TextEntry& entry, const IsQuantity& isQuantity);
+/// Returns the lines below the last table each of whose clauses is the name, the number and the
+/// unit of such a quantity and nothing else: "T = 20 \u00B0C; Load 50 N". Lines about who measured
+/// what, where and when may stand among them; any other line ends them, because what stands below
+/// it may be of something else.
+std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity& quantityOf);
 
-/// Returns the lines below the last table that state such quantities and nothing else. A heading or
-/// a sentence ends them: what stands below it may be of something else.
-std::vector<TextEntry> statedBelow(const TextTable& table, const IsQuantity& isQuantity);
-
-/// Gives the names of a table to numbers below it that have none and as many columns, where the
-/// lines between them state something of the rows below it and nothing else: "T = 5 \u00B0C" and
-/// "T = 20 \u00B0C" among the rows of one table.
-void repeatNames(TextTable& table, const IsQuantity& isState);
+/// Gives the names of a table to numbers below it that have none and as many columns, where each
+/// line between them is one of those above the table with another value of such a quantity:
+/// "T = 5 \u00B0C, dry" above the first rows and "T = 20 \u00B0C, dry" above the others. No column
+/// has these quantities; the name may be empty, as in "20 \u00B0C". Returns notes on them.
+std::vector<Message> repeatNames(TextTable& table, const StatedQuantity& quantityOf);
 
 /// Replaces logarithms by the quantities themselves in columns with names such as "log10(f/Hz)",
 /// "lg G' (Pa)", "ln v", and changes these names accordingly. isQuantity: whether the caller knows

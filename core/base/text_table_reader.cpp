@@ -546,13 +546,28 @@ class TableReader {
                         [](const TextColumn& column) { return column.name.empty(); });
   }
 
-  /// Returns whether the line above a first row has equally many fields and begins with a number.
-  bool isDamagedRow(const TextLine& above, const TextLine& first) const {
+  /// Returns whether a line above a first row has equally many fields and begins with a number, or
+  /// equally many numbers and words behind them.
+  bool isDamagedRow(const TextLine& above) const {
     std::vector<std::string_view> fields;
     split(above.text, fields);
-    return above.number + 1 == first.number && fields.size() == fields_.size() &&
-           !isComment(above.text) &&
-           readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
+    const auto isNumber = [this](std::string_view field) {
+      return readField(field, table_.dialect.decimal).kind == FieldKind::Number;
+    };
+    if (isComment(above.text) || fields.size() < fields_.size() || !isNumber(fields.front()))
+      return false;
+    return fields.size() == fields_.size() ||
+           std::all_of(fields.begin(), fields.begin() + std::ssize(fields_), isNumber);
+  }
+
+  /// Leaves out damaged rows right above a first row.
+  void leaveOutAbove(const TextLine& first) {
+    auto begin = above_.end();
+    std::size_t number = first.number;
+    while (begin != above_.begin() && std::prev(begin)->number + 1 == number &&
+           isDamagedRow(*std::prev(begin)))
+      number = (--begin)->number;
+    for (; begin != above_.end(); ++begin) leaveOut(*begin);
   }
 
   /// Leaves out damaged rows right below the open block.
@@ -593,7 +608,7 @@ class TableReader {
       leaveOutBelow();
       endBlock();
     }
-    if (!above_.empty() && isDamagedRow(above_.back(), line)) leaveOut(above_.back());
+    leaveOutAbove(line);
     addBlock(line);
     isOpen_ = true;
     append(line);
@@ -661,7 +676,8 @@ void takeUnits(TextBlock& block, const std::string& name) {
     TextColumn& numbers = block.columns[i - 1];
     const std::vector<std::string>& units = block.texts[i];
     const auto unit = std::ranges::find_if(units, [](const auto& one) { return !one.empty(); });
-    if (unit == units.end() || !numbers.unit.empty() || !isKnownUnit(*unit)) continue;
+    if (unit == units.end() || !numbers.unit.empty() || !isUnitInFront(numbers.name, *unit))
+      continue;
     const auto other = std::ranges::find_if(units, [&](const std::string& one) {
       const auto row = static_cast<std::size_t>(&one - units.data());
       return one != *unit && !std::isnan(block.at(row, i - 1));

@@ -157,7 +157,8 @@ std::string withoutRelative(std::string word) {
 /// Returns whether a name has several meanings, such as t for temperature and time, so that it
 /// needs a unit of its quantity.
 bool isAmbiguous(const std::string& word) {
-  return isOneOf(word, "t n w f charge carico carga sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
+  return isOneOf(word,
+                 "t \u03D1 n w f charge carico carga sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
 }
 
 /// Returns the words of a name without those of its average: "mu mean", "mu std (n=3)", "mu_err (1
@@ -332,9 +333,10 @@ bool meansForceOfFriction(const std::string& name) {
          });
 }
 
-bool isStateNamed(const std::string& word, const std::string& unit) {
+std::string stateNamed(const std::string& word, const std::string& unit) {
   const auto state = stateOfUnit(unit);
-  return state && quantityNamed(word) && findMeaning(word, unit) == state;
+  const bool isNamed = state && quantityNamed(word) && findMeaning(word, unit) == state;
+  return isNamed ? meaningOf(*state) : "";
 }
 
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit) {

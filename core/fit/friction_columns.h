@@ -96,9 +96,9 @@ bool isForceOfFriction(const std::string& name);
 /// symbol: "Reibkraft F_R".
 bool meansForceOfFriction(const std::string& name);
 
-/// Returns whether a name in lower case and a unit are those of a load, a temperature or a velocity
-/// and nothing else.
-bool isStateNamed(const std::string& word, const std::string& unit);
+/// Returns which load, temperature or velocity a name in lower case and a unit are those of, in
+/// words; empty where they are of none.
+std::string stateNamed(const std::string& word, const std::string& unit);
 
 /// Returns the words of a name in letters and digits: "fz", "track" and "mean" of "Fz_track
 /// (mean)".

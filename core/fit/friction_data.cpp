@@ -39,8 +39,8 @@ TextTable readTable(std::string_view bytes, const std::string& name, std::vector
   options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
                          "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
-  repeatNames(table, [](const std::string& word, const std::string& unit) {
-    return word.empty() ? measures(unit, Quantity::Temperature) : isStateNamed(word, unit);
+  notes = repeatNames(table, [](const std::string& word, const std::string& unit) {
+    return stateNamed(word.empty() ? meaningOf(Quantity::Temperature) : word, unit);
   });
   transposeRows(table, hasFriction, notes);
   undoLogarithms(table, [](const std::string& quantity) {
@@ -212,7 +212,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name,
   for (const TextBlock* block : ofFriction) {
     const bool isOnly = ofFriction.size() == 1 && block == &table.blocks.back();
     tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(),
-                             isOnly ? statedBelow(table, isStateNamed) : std::vector<TextEntry>{},
+                             isOnly ? statedBelow(table, stateNamed) : std::vector<TextEntry>{},
                              name));
     const ReadTable& one = tables.back();
     data.points.insert(data.points.end(), one.rows.points.begin(), one.rows.points.end());

@@ -72,7 +72,8 @@ bool namesOther(std::string_view text) {
   std::vector<std::string> words = wordsIn(text);
   std::erase(words, "g");  // the unit of a mass
   constexpr WordList kOtherThings(
-      "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
+      "track road air water oil storage store aged ageing aging vulc cure curing mould mold tg "
+      "glass cell "
       "sensor supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness "
       "rebound resil r\u00FCckprall elongation bruchdehn m50 m100 m200 m300 s100 s200 s300 "
       "\u03C3100 \u03C3200 \u03C3300 h\u00E4rte haerte ref tref "

@@ -374,11 +374,8 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 }
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
-  std::vector<Message> ofCells;
-  repeatNames(table, [](const std::string& word, const std::string& unit) {
-    return word.empty() ? temperatureUnit(unit).has_value() : isTemperatureNamed(word, unit);
-  });
-  moveLinesAbove(table);
+  std::vector<Message> ofCells = repeatNames(table, temperatureNamed);
+  moveLinesAbove(table, name);
   joinMatrices(table, ofCells);
   transposeRows(table, isSweep, ofCells);
   separateCells(table, name, ofCells);

@@ -15,6 +15,7 @@
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
 #include "core/material/isotherms.h"
+#include "core/material/prony_table.h"
 #include "core/material/stated_temperature.h"
 #include "core/material/temperature_shift.h"
 
@@ -253,26 +254,32 @@ bool statesShift(const TextTable& table) {
          std::ranges::any_of(table.blocks, isShiftTable);
 }
 
-bool isTemperatureNamed(const std::string& name, const std::string& unit) {
-  return isOneOf(name, "t temp temperature temperatur testtemperature messtemperatur") &&
-         temperatureUnit(unit);
+std::string temperatureNamed(const std::string& name, const std::string& unit) {
+  const bool isNamed = isOneOf(
+      name, "t temp temperature temperatur testtemperature messtemperatur isotherm isotherme");
+  return (name.empty() || isNamed) && temperatureUnit(unit) ? "temperature" : "";
 }
 
-void moveLinesAbove(TextTable& table) {
+void moveLinesAbove(TextTable& table, const std::string& name) {
   const auto isOther = [](const TextBlock& block) { return !isShiftTable(block); };
   TextBlock& block = table.blocks.back();
   if (!isOther(block) || std::ranges::count_if(table.blocks, isOther) != 1) return;
   bool hasTemperature = false;
-  const auto lines = statedBelow(table, [&](const std::string& word, const std::string& unit) {
+  const auto quantityOf = [&](const std::string& word, const std::string& unit) {
     const bool isReference = isOneOf(
         word, "tref referencetemperature reftemperature referenztemperatur bezugstemperatur");
-    if (isTemperatureNamed(word, unit) || (isReference && temperatureUnit(unit)))
-      return hasTemperature = true;
-    if (isOneOf(word, "c1 c\u2081")) return unit.empty();
-    if (isOneOf(word, "c2 c\u2082")) return unit.empty() || temperatureUnit(unit);
-    return isOneOf(word, "ea eact activationenergy aktivierungsenergie") &&
-           unitSize(unit, "J/mol").has_value();
-  });
+    const bool isTemperature = isReference ? temperatureUnit(unit).has_value()
+                                           : !word.empty() && !temperatureNamed(word, unit).empty();
+    hasTemperature = hasTemperature || isTemperature;
+    const bool isConstant =
+        (isOneOf(word, "c1 c\u2081") && unit.empty()) ||
+        (isOneOf(word, "c2 c\u2082") && (unit.empty() || temperatureUnit(unit))) ||
+        (isOneOf(word, "ea eact activationenergy aktivierungsenergie") && unitSize(unit, "J/mol"));
+    const std::string ofSeries = seriesWord(word);
+    const bool isModulus = isEquilibrium(ofSeries) || isInstantaneous(ofSeries);
+    return isTemperature || isConstant || isModulus ? word : std::string();
+  };
+  const std::vector<TextEntry> lines = statedBelow(table, quantityOf);
   // A line with another temperature or about a shift may change what these mean.
   const auto isUnclear = [&](const TextEntry& entry) {
     if (std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end()) return false;
@@ -280,10 +287,22 @@ void moveLinesAbove(TextTable& table) {
     return !stated || !isKnownUnit(stated->unit()) || temperatureUnit(stated->unit());
   };
   if (std::ranges::any_of(table.trailer, isUnclear)) return;
-  // The lines above the table precede them.
+  // The lines above the table precede them, and so does the name of the file.
+  const std::size_t above = block.header.size();
+  const auto agree = [&] {
+    if (!hasTemperature) return true;
+    if (statedTemperature({table, block}, {}, {}, true)) return false;
+    std::ranges::copy(lines, std::back_inserter(block.header));
+    const auto ofName = temperatureInName(name),
+               below = statedTemperature({table, block}, {}, {}, true);
+    block.header.resize(above);
+    constexpr double kSame = 0.01;  // K
+    return !ofName || (below && std::abs(ofName->kelvin - below->kelvin) < kSame);
+  };
   try {
-    if (hasTemperature && statedTemperature({table, block}, {}, {}, true)) return;
+    if (!agree()) return;
   } catch (const InputError&) {
+    block.header.resize(above);
     return;
   }
   std::ranges::copy(lines, std::back_inserter(block.header));

@@ -3591,6 +3591,10 @@
         <translation>nicht benutzt: %1</translation>
     </message>
     <message>
+        <source>the rows from line %1 on have the columns of the table above them</source>
+        <translation>die Werte ab Zeile %1 haben die Spalten der Tabelle darüber</translation>
+    </message>
+    <message>
         <source>tables of numbers that are not used: at line %1</source>
         <translation>Tabellen mit Zahlen, die nicht verwendet werden: in Zeile %1</translation>
     </message>

@@ -647,9 +647,9 @@ TEST(TextTable, QuotedNamesMayHaveLineBreaks) {
 }
 
 TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
-  for (const char* text : {"x_mm z\n1 2 first contact\n3 4\n5 6 slip\n7 8 slip here\n9 10\n",
-                           "x (mm);z\n1;2;first\n3;4\n5;6;slip, stick\n7;8;ok\n9;10\n",
-                           "x (mm)\tz\n1\t2\tfirst\n3\t4\n5\t6\tslip\n7\t8\tslip\n9\t10\n"})
+  for (const char* text : {"x_mm z\n1 2 good\n3 4\n5 6 fine\n7 8 fine, ok\n9 10\n",
+                           "x (mm);z\n1;2;good\n3;4\n5;6;ok, gut\n7;8;ok\n9;10\n",
+                           "x (mm)\tz\n1\t2\tok\n3\t4\n5\t6\tok\n7\t8\tok\n9\t10\n"})
     for (const TextTableOptions& options : {TextTableOptions{}, withTexts()}) {
       const TextTable table = read(text, options);
       ASSERT_EQ(table.blocks.size(), 1U) << text;
@@ -674,8 +674,8 @@ TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
 }
 
 TEST(TextTable, WordsThatMayChangeARowAreNotLeftOut) {
-  for (const char* words : {"invalid", "bad", "outlier", "T = 60 \u00B0C", "at 60 \u00B0C", "cm/s",
-                            "\u00B1 0.05", "mean", "ok 3"})
+  for (const char* words : {"invalid", "bad", "outlier", "first slip", "T = 60 \u00B0C",
+                            "at 60 \u00B0C", "cm/s", "\u00B1 0.05", "mean", "ok 3"})
     for (const char* separator : {";", " "}) {
       const std::string text = replaced(
           std::string("v mu\n1 0.2\n5 0.9 ") + words + "\n10 0.3\n20 0.4\n", " ", separator);
@@ -700,10 +700,10 @@ TEST(TextTable, QuotedLinesWithNumbersStandAlone) {
 }
 
 TEST(TextTable, CommentsEndRowsOfTablesWithLabelsToo) {
-  const TextTable table = read("v mu\n1 0.5 # ok\n2 0.6 # stick slip\n3 0.7 // end\n", withTexts());
+  const TextTable table = read("v mu\n1 0.5 # ok\n2 0.6 # OK, good\n3 0.7 // fine\n", withTexts());
   EXPECT_THAT(table.blocks[0].column(1), ElementsAre(0.5, 0.6, 0.7));
   EXPECT_TRUE(table.remarks.empty());
-  for (const char* words : {"invalid", "at 60 \u00B0C"})
+  for (const char* words : {"invalid", "stick", "first", "at 60 \u00B0C"})
     EXPECT_THAT(errorOf(std::string("v mu\n1 0.5\n2 0.6 # ") + words + "\n3 0.7\n", withTexts()),
                 HasSubstr("line 3: has "))
         << words;
@@ -726,8 +726,9 @@ TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
               HasSubstr("row 3: column v has no unit here, and mm/s elsewhere"));
   EXPECT_THAT(errorOf("v;unit;mu\n1;;0.5\n10;mm/s;0.6\n", withTexts()), HasSubstr("row 2: "));
   // Behind several columns, units may be those of each.
-  for (const char* text : {"f;G';G'';unit\n1;3;1;Pa\n10;4;2;Pa\n",
-                           "v (mm/s);mu;Unit\n1;0.5;A\n10;0.6;A\n", "Unit;v;mu\n1;2;3\n4;5;6\n"}) {
+  for (const char* text :
+       {"f;G';G'';unit\n1;3;1;Pa\n10;4;2;Pa\n", "v (mm/s);mu;Unit\n1;0.5;A\n10;0.6;A\n",
+        "v (mm/s);mu;Unit\n1;0.5;N\n10;0.6;N\n", "Unit;v;mu\n1;2;3\n4;5;6\n"}) {
     const TextTable table = read(text, withTexts());
     for (const TextColumn& column : table.largest().columns)
       EXPECT_TRUE(column.unit.empty() || column.name == "v") << text;
@@ -736,40 +737,58 @@ TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
   EXPECT_EQ(read("v;sample;mu\n1;K;0.5\n10;K;0.6\n", withTexts()).largest().columns[0].unit, "");
 }
 
-bool isTemperature(const std::string& name, const std::string& unit) {
-  return (name.empty() || name == "t" || name == "temperature") && unit == "\u00B0C";
+std::string temperatureIn(const std::string& name, const std::string& unit) {
+  const bool isNamed = name.empty() || name == "t" || name == "temperature";
+  return isNamed && unit == "\u00B0C" ? "temperature" : "";
 }
 
-TEST(TextTable, NamesHoldForRowsBelowAStatement) {
+/// Reads two rows of x and z below a line, other lines, and two rows without names.
+TextTable readTwice(const std::string& above, const std::string& between,
+                    std::vector<Message>& notes, const std::string& names = "x (mm);z") {
+  TextTable table = read(above + "\n" + names + "\n1;2\n3;4\n" + between + "\n5;6\n7;8\n");
+  notes = repeatNames(table, temperatureIn);
+  return table;
+}
+
+TEST(TextTable, NamesHoldForRowsBelowAnotherValueOfAQuantity) {
   for (const char* line : {"T = 20 \u00B0C", "T = 20 \u00B0C;", "\nTemperature: 20 \u00B0C",
                            "T [\u00B0C] = 20", "---\nT = 20,5 \u00B0C"}) {
-    TextTable table = read(std::string("x (mm);z\n1;2\n3;4\n") + line + "\n5;6\n7;8\n");
-    repeatNames(table, isTemperature);
+    std::vector<Message> notes;
+    const TextTable table = readTwice("T = 5 \u00B0C", line, notes);
     ASSERT_EQ(table.blocks.size(), 2U) << line;
     EXPECT_EQ(table.blocks[1].columns[0].name, "x") << line;
     EXPECT_EQ(table.blocks[1].columns[1].name, "z") << line;
+    EXPECT_EQ(notes.size(), 1U) << line;
   }
 }
 
 TEST(TextTable, NamesDoNotHoldBelowOtherLines) {
+  std::vector<Message> notes;
   for (const char* line :
        {"Run 2", "----", "T = 20 \u00B0C, z in mm", "z in mm; T = 20 \u00B0C",
         "WLF: Tref = 20 \u00B0C", "Tref = 20 \u00B0C", "Tg = -60 \u00B0C",
         "Mean values, T = 5 \u00B0C", "Mittelwert T = 5 \u00B0C", "Fit at 20 \u00B0C",
         "shift factors, T = 20 \u00B0C", "[1] T = 20 \u00B0C", "T = 20 \u00B0C (mean)",
-        "duration: 5 min", "T = 20", "T = 20 \u00B0C\nMean", "Sum: T = 20 \u00B0C"}) {
-    TextTable table = read(std::string("x (mm);z\n1;2\n3;4\n") + line + "\n5;6\n7;8\n");
-    repeatNames(table, isTemperature);
+        "duration: 5 min", "T = 20", "T = 20 \u00B0C\nMean", "Sum: T = 20 \u00B0C", "T = 5 \u00B0C",
+        "v = 1 mm/s"}) {
+    const TextTable table = readTwice("T = 5 \u00B0C", line, notes);
     ASSERT_EQ(table.blocks.size(), 2U) << line;
     EXPECT_NE(table.blocks[1].columns[1].name, "z") << line;
+    EXPECT_TRUE(notes.empty()) << line;
   }
+  // The first rows have no temperature, or a column of it.
+  EXPECT_EQ(readTwice("", "T = 20 \u00B0C", notes).blocks[1].columns[1].name, "");
+  const TextTable ofColumn =
+      readTwice("T = 5 \u00B0C", "T = 20 \u00B0C", notes, "z;temperature (\u00B0C)");
+  EXPECT_EQ(ofColumn.blocks[1].columns[1].name, "");
 }
 
 TEST(TextTable, LinesBelowATableThatStateAQuantityAlone) {
   const auto below = [](const std::string& lines) {
-    return statedBelow(read("x (mm);z\n1;2\n3;4\n\n" + lines), isTemperature).size();
+    return statedBelow(read("x (mm);z\n1;2\n3;4\n\n" + lines), temperatureIn).size();
   };
-  EXPECT_EQ(below("Operator: A\nT = 20 \u00B0C\nTemperature;20;\u00B0C\n"), 2U);
+  EXPECT_EQ(below("T = 20 \u00B0C\n---\nTemperature;20;\u00B0C\nOperator: A\n"), 2U);
+  EXPECT_EQ(below("Cured: 20 min\nT = 160 \u00B0C\n"), 0U);
   EXPECT_EQ(below("T = 20\nTest 2: T = 20 \u00B0C\nT: 60 \u00B0C for ageing\n"), 0U);
   EXPECT_EQ(below("Next test\nT = 20 \u00B0C\n"), 0U);
   EXPECT_EQ(below("Ageing:\nT = 20 \u00B0C\n"), 0U);

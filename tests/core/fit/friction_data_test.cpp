@@ -961,7 +961,8 @@ TEST(FrictionData, ALoadMayBeAPressureAndAVelocityPerHour) {
 
 TEST(FrictionData, LinesBelowTheTableAreOfAllPoints) {
   for (const char* below :
-       {"Temperature: 23 \u00B0C\nLoad: 50 N\n", "Normal force;50;N\nTemperature;\u00B0C;23\n"}) {
+       {"Temperature: 23 \u00B0C\nLoad: 50 N\n", "Normal force;50;N\nTemperature;\u00B0C;23\n",
+        "Operator: A\nDate: 2024-05-01\nWidth of sample: 20 mm\nLoad: 50 N; T = 23 \u00B0C\n"}) {
     const FrictionData data = parsed(fmt::format("v (mm/s);mu\n1;0.2\n10;0.35\n\n{}", below));
     ASSERT_EQ(data.points.size(), 2U) << below;
     EXPECT_DOUBLE_EQ(data.points[1].temperature, 296.15) << below;
@@ -970,13 +971,21 @@ TEST(FrictionData, LinesBelowTheTableAreOfAllPoints) {
 }
 
 TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
-  const FrictionData data =
-      parsed("v (mm/s);mu\nT = 5 \u00B0C;\n1;0.6\n10;0.8\nT = 20 \u00B0C;\n1;0.5\n10;0.7\n");
-  ASSERT_EQ(data.points.size(), 4U);
-  EXPECT_DOUBLE_EQ(data.points[0].temperature, 278.15);
-  EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15);
-  EXPECT_DOUBLE_EQ(data.points[3].velocity, 0.01);
-  EXPECT_DOUBLE_EQ(data.points[3].mu, 0.7);
+  for (const char* line : {"T = {} \u00B0C;", "T = {} \u00B0C, dry", "\nSample A, T = {} \u00B0C",
+                           "Load = 50 N\nTemperature: {} \u00B0C"}) {
+    const std::string text =
+        std::string("v (mm/s);mu\n") + line + "\n1;0.6\n10;0.8\n" + line + "\n1;0.5\n10;0.7\n";
+    const FrictionData data = parsed(fmt::format(fmt::runtime(text), 5, 20));
+    ASSERT_EQ(data.points.size(), 4U) << line;
+    EXPECT_DOUBLE_EQ(data.points[0].temperature, 278.15) << line;
+    EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15) << line;
+    EXPECT_DOUBLE_EQ(data.points[3].velocity, 0.01) << line;
+    EXPECT_DOUBLE_EQ(data.points[3].mu, 0.7) << line;
+    const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
+      return note.english().ends_with("have the columns of the table above them");
+    });
+    EXPECT_TRUE(hasNote) << line;
+  }
 }
 
 TEST(FrictionData, TheForceOfFrictionMayHaveItsSymbolBesideIt) {
@@ -1049,7 +1058,9 @@ TEST(FrictionData, OtherLinesBelowTheTableAreNotUsed) {
        {"time (s);wear (mg)\n1;3\n2;4\n\nLoad: 100 N\nTemperature: 60 \u00B0C\n",
         "[1] T = 40 \u00B0C\n", "Test 2: Load: 10 N\n", "Next test: T = 60 \u00B0C\n", "p = 0.05\n",
         "T at the end: 25 \u00B0C\n", "end temperature 25 \u00B0C\n", "Load: 50 N (at break)\n",
-        "Storage:\nT = 5 \u00B0C\n"}) {
+        "Storage:\nT = 5 \u00B0C\n", "Vulcanisation: 20 min\nTemperature: 160 \u00B0C\n",
+        "Load cell: 500 N\nLoad: 500 N\n", "Conditioning: 24 h\nT: 70 \u00B0C\n",
+        "Sample 2: T = 60 \u00B0C\nLoad: 50 N\n"}) {
     const FrictionData data = parsed(rows + below);
     ASSERT_EQ(data.points.size(), 2U) << below;
     EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << below;
@@ -1066,8 +1077,10 @@ TEST(FrictionData, OtherLinesBelowTheTableAreNotUsed) {
 }
 
 TEST(FrictionData, RowsBelowOtherLinesAreNotUsed) {
-  for (const char* between : {"----", "wet", "T = 20 \u00B0C, v in m/s",
-                              "Mean values, T = 5 \u00B0C", "WLF: Tref = 20 \u00B0C"}) {
+  for (const char* between :
+       {"----", "wet", "T = 20 \u00B0C, v in m/s", "Mean values, T = 5 \u00B0C",
+        "WLF: Tref = 20 \u00B0C", "T = 5 \u00B0C", "v = 10 mm/s", "F = 3 N",
+        "v = 10 mm/s; T = 20 \u00B0C"}) {
     const FrictionData data = parsed(
         fmt::format("T = 5 \u00B0C\nv (mm/s);mu\n1;0.2\n10;0.35\n{}\n5.5;0.275\n8;0.3\n", between));
     ASSERT_EQ(data.points.size(), 2U) << between;
