@@ -36,6 +36,9 @@ bool statesQuantity(std::string_view text);
 /// be a name, "Sample;N;50", except where the key names its quantity: "Load;N;50".
 bool isUnitInFront(std::string_view key, std::string_view unit);
 
+/// Returns whether a column has the units of the numbers before it by its name.
+bool isColumnOfUnits(const TextColumn& column);
+
 /// Reads the key and the value of a line (text_entry.cpp).
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 

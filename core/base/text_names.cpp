@@ -280,8 +280,10 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
                                      const std::vector<Field>& first) {
   const std::size_t columns = first.size();
   std::vector<TextColumn> named(columns);
-  const bool mayCountRows =
-      first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
+  // Behind "v;mu;ok" the column without a name is the last one.
+  const bool mayCountRows = first[0].kind == FieldKind::Number &&
+                            (first[0].value == 0 || first[0].value == 1) &&
+                            first.back().kind != FieldKind::Flag;
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   auto units = std::ranges::find_if(rows, areUnits);
   // The column without a unit may be another one.

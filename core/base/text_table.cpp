@@ -14,6 +14,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
+#include "core/base/units.h"
 
 namespace asperity {
 
@@ -194,14 +195,13 @@ std::optional<StatedClause> parseStated(std::string_view clause, const StatedQua
   return stated.quantity.empty() ? std::nullopt : std::optional(std::move(stated));
 }
 
-/// Returns whether a line below a table is about who measured what, where and when, so that lines
-/// below it still are about the table.
+/// Returns whether a line below a table is about who measured it, when, and on which size of a
+/// sample, so that lines below it still are about the table. "Sample: B" may begin another one.
 bool isOfRecord(const TextEntry& entry) {
   constexpr WordList kOfRecord(
-      "operator bediener pr\u00FCfer date datum time zeit uhrzeit file datei lab labor sample "
-      "probe "
-      "specimen compound mischung material werkstoff surface oberfl\u00E4che track width breite "
-      "length l\u00E4nge thickness dicke area fl\u00E4che");
+      "operator bediener pr\u00FCfer date datum file datei lab labor width breite length "
+      "l\u00E4nge "
+      "thickness dicke area fl\u00E4che");
   const std::vector<std::string> words = wordsIn(entry.key);
   return !entry.value.empty() && entry.value.find('=') == std::string::npos && !words.empty() &&
          isOneOf(words.front(), kOfRecord);
@@ -210,7 +210,15 @@ bool isOfRecord(const TextEntry& entry) {
 }  // namespace
 
 std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity& quantityOf) {
+  // A temperature beside a duration is one of curing, ageing or storing.
+  const auto statesDuration = [](const TextEntry& entry) {
+    const auto stated = parseStatement(joinEntry(entry));
+    return stated && unitSize(stated->unit(), "s");
+  };
+  constexpr std::size_t kMaxLines = 100;
   std::vector<TextEntry> lines;
+  if (table.trailer.size() > kMaxLines || std::ranges::any_of(table.trailer, statesDuration))
+    return lines;
   for (const TextEntry& entry : table.trailer) {
     if (isDrawn(entry) || isOfRecord(entry)) continue;
     const std::string line = joinEntry(entry);
@@ -266,7 +274,9 @@ bool restates(const TextBlock& block, const StatedQuantity& quantityOf,
 
 }  // namespace
 
-std::vector<Message> repeatNames(TextTable& table, const StatedQuantity& quantityOf) {
+std::vector<Message> repeatNames(TextTable& table,
+                                 const std::function<bool(const TextBlock&)>& isTable,
+                                 const StatedQuantity& quantityOf) {
   std::vector<Message> notes;
   const TextBlock* named = nullptr;
   std::vector<TextEntry> above;  // the lines above the last rows
@@ -282,7 +292,7 @@ std::vector<Message> repeatNames(TextTable& table, const StatedQuantity& quantit
     const bool hasNames = std::any_of(block.columns.begin() + 1, block.columns.end(),
                                       [](const TextColumn& one) { return !one.name.empty(); });
     const bool hasTexts = std::ranges::any_of(block.columns, &TextColumn::isText);
-    if (hasNames && !hasTexts) {
+    if (hasNames && !hasTexts && isTable(block)) {
       named = &block;
       above = block.header;
     } else if (named && !hasTexts && block.columns.size() == named->columns.size() &&

@@ -34,16 +34,17 @@ struct JoinedText {
   JoinedText& operator=(const JoinedText&) = delete;
 };
 
-/// Returns whether a line of a quoted field is one of words: neither numbers nor a statement such
-/// as "Width: 10 mm".
-bool isLineOfWords(std::string_view line) {
-  return trimmedBlanks(line).empty() ||
-         (readField(line, '.').kind == FieldKind::Text && !beginsAsNumber(line) &&
-          keyEnd(line) == std::string_view::npos && !statesQuantity(line));
+/// Returns whether a line of a quoted field may be one of a name: "mu" and, below such a line,
+/// "5 \u00B0C", but neither a number alone nor a statement such as "Width: 10 mm".
+bool isLineOfName(std::string_view line, bool isFirst) {
+  if (trimmedBlanks(line).empty()) return true;
+  if (readField(line, '.').kind != FieldKind::Text || keyEnd(line) != std::string_view::npos)
+    return false;
+  return !isFirst || (!beginsAsNumber(line) && !statesQuantity(line));
 }
 
 /// Returns the length of a quoted field with line breaks at the beginning of a text; 0 where there
-/// is none. Its lines have words, and no signs that separate fields, so that no rows are joined.
+/// is none. It has no signs that separate fields, so that no rows are joined.
 std::size_t lengthOfBrokenField(std::string_view text) {
   constexpr std::size_t kLongest = 200;
   bool isBroken = false;
@@ -52,8 +53,8 @@ std::size_t lengthOfBrokenField(std::string_view text) {
     const std::string_view rest = text.substr(i + 1);
     if (std::string_view(";,|\t").find(text[i]) != std::string_view::npos) return 0;
     const bool isEnd = text[i] == '\n' || (text[i] == '"' && !rest.starts_with('"'));
-    if (isEnd && (begin > 1 || text[i] == '\n')) {
-      if (!isLineOfWords(trimmedField(text.substr(begin, i - begin)))) return 0;
+    if (isEnd && (isBroken || text[i] == '\n')) {
+      if (!isLineOfName(trimmedField(text.substr(begin, i - begin)), !isBroken)) return 0;
       begin = i + 1;
     }
     isBroken = isBroken || text[i] == '\n';
@@ -65,16 +66,29 @@ std::size_t lengthOfBrokenField(std::string_view text) {
   return 0;
 }
 
+/// Returns whether a quoted field at the beginning of a text ends in its line.
+bool endsInLine(std::string_view text) {
+  return text.substr(1, text.find('\n') - 1).find('"') != std::string_view::npos;
+}
+
 JoinedText::JoinedText(std::string_view written) : text(written) {
   std::size_t kept = 0;
   for (std::size_t at = written.find('"'); at != written.npos; at = written.find('"', at + 1)) {
     if (at > 0 && std::string_view(";,|\t\n").find(written[at - 1]) == std::string_view::npos)
       continue;
-    const std::size_t length = lengthOfBrokenField(written.substr(at));
+    const std::string_view field = written.substr(at);
+    const std::size_t length = lengthOfBrokenField(field);
+    const bool isInJoinedLine =
+        kept > 0 && written.substr(kept, at - kept).find('\n') == written.npos;
+    // Of a line of names all fields are joined, or none.
+    if (length == 0 && isInJoinedLine && !endsInLine(field)) {
+      breaks.clear();
+      return;
+    }
     if (length == 0) continue;
     joined += written.substr(kept, at - kept);
     kept = at + length;
-    for (const char letter : written.substr(at, length)) {
+    for (const char letter : field.substr(0, length)) {
       if (letter == '\r') continue;
       if (letter == '\n') breaks.push_back(joined.size());
       joined += letter == '\n' ? ' ' : letter;
@@ -304,12 +318,11 @@ class TableReader {
                        });
   }
 
-  /// Returns whether a row has words behind its last column and rows below it. The last one may be
-  /// the result of all.
-  bool hasRemark() const { return isHarmless(fields_, block().columns.size()) && nextLineFits(); }
+  /// Returns whether a row has words behind its last column that change nothing.
+  bool hasRemark() const { return isHarmless(fields_, block().columns.size()); }
 
   /// Leaves out words behind the numbers of a first row, where there are as many names above it and
-  /// numbers alone below it. Returns whether there are some.
+  /// numbers below it, which may have such words, too. Returns whether there are some.
   bool leaveRemark() {
     const auto isValue = [this](std::string_view field) { return !isWord(read(field)); };
     const auto begin = std::ranges::find_if_not(fields_, isValue);
@@ -317,7 +330,10 @@ class TableReader {
     if (count < 2 || !isHarmless(fields_, count) || isNamed(fields_.size()) || !isNamed(count))
       return false;
     const std::vector<std::string_view> next = fieldsOfNextLine();
-    if (next.size() != count || !std::ranges::all_of(next, isValue)) return false;
+    if (next.size() < count ||
+        !std::all_of(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count), isValue) ||
+        (next.size() > count && !isHarmless(next, count)))
+      return false;
     fields_.resize(count);
     kinds_.resize(count);
     cells_.resize(std::min(cells_.size(), count));
@@ -666,12 +682,11 @@ class TableReader {
 /// to: "v;unit;mu" above "10;mm/s;0.6". Throws InputError where they differ, except in a list of
 /// names and numbers.
 void takeUnits(TextBlock& block, const std::string& name) {
-  constexpr WordList kOfUnits("unit units einheit einheiten unit\u00E9 unidad unit\u00E0");
   if (std::ranges::count(block.columns, false, &TextColumn::isText) < 2) return;
   std::size_t candidates = 0;  // columns of numbers since the last one of units
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     if (!block.columns[i].isText) ++candidates;
-    if (!block.columns[i].isText || !isOneOf(lowerCase(block.columns[i].name), kOfUnits)) continue;
+    if (!isColumnOfUnits(block.columns[i])) continue;
     if (std::exchange(candidates, 0) != 1 || block.columns[i - 1].isText) continue;
     TextColumn& numbers = block.columns[i - 1];
     const std::vector<std::string>& units = block.texts[i];

@@ -39,7 +39,7 @@ TextTable readTable(std::string_view bytes, const std::string& name, std::vector
   options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
                          "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
-  notes = repeatNames(table, [](const std::string& word, const std::string& unit) {
+  notes = repeatNames(table, hasFriction, [](const std::string& word, const std::string& unit) {
     return stateNamed(word.empty() ? meaningOf(Quantity::Temperature) : word, unit);
   });
   transposeRows(table, hasFriction, notes);
@@ -151,27 +151,27 @@ struct ReadTable {
   FrictionRows rows{};
 };
 
-/// Completes what the lines above a further table state by those above the first one, except for
-/// what its columns give. Throws InputError where they do not tell the tables apart: each has to
-/// state the same loads or temperatures as the first.
-void completeStatements(ReadTable& further, const ReadTable& first, const std::string& name) {
+/// Completes what the lines above a further table state by what holds for the table before it,
+/// except for what its columns give. Throws InputError where they do not tell the tables apart:
+/// each has to state the same loads or temperatures as those before.
+void completeStatements(ReadTable& further, const ReadTable& before, const std::string& name) {
   std::vector<HeaderStatement>& common = further.header.common;
   if (common.empty() || !std::ranges::all_of(common, [&](const HeaderStatement& one) {
-        return first.header.hasCommon(*one.quantity);
+        return before.header.hasCommon(*one.quantity);
       }))
     throw InputError(name, "",
                      message("has several tables of friction, at lines {} and {}; each needs a "
                              "file of its own, or all one table with a column that tells them "
                              "apart, such as temperature or label",
-                             first.block.lines.front(), further.block.lines.front()));
-  for (const HeaderStatement& one : first.header.common)
+                             before.block.lines.front(), further.block.lines.front()));
+  for (const HeaderStatement& one : before.header.common)
     if (!further.header.hasCommon(*one.quantity) && !further.roles.isGiven(*one.quantity))
       common.push_back(one);
 }
 
-/// Reads one table of friction. first: the one before it; null where it is the first one. below:
+/// Reads one table of friction. before: the one above it; null where it is the first one. below:
 /// the lines below it that are of all its points as well; those above it precede them.
-ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* first,
+ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* before,
                   const std::vector<TextEntry>& below, const std::string& name) {
   ReadTable one{.block = written};
   unifyUnits(one.block, name);
@@ -184,7 +184,7 @@ ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTa
     return isGiven(quantity) || one.header.hasCommon(quantity);
   };
   addBelow(one.header, readHeader(below, one.mark, isSaid, name));
-  if (first) completeStatements(one, *first, name);
+  if (before) completeStatements(one, *before, name);
   requireQuantities(
       one.block, one.roles, [&](Quantity quantity) { return one.header.hasCommon(quantity); },
       name);
@@ -211,7 +211,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name,
   std::vector<ReadTable> tables;
   for (const TextBlock* block : ofFriction) {
     const bool isOnly = ofFriction.size() == 1 && block == &table.blocks.back();
-    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(),
+    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : &tables.back(),
                              isOnly ? statedBelow(table, stateNamed) : std::vector<TextEntry>{},
                              name));
     const ReadTable& one = tables.back();

@@ -14,7 +14,9 @@
 #include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/fit/friction_columns.h"
+#include "core/fit/friction_roles.h"
 
 namespace asperity {
 namespace {
@@ -231,6 +233,25 @@ bool namesOtherForce(const TextEntry& entry) {
          });
 }
 
+/// Returns whether a line says that the numbers below it are not friction itself: "COF standard
+/// deviation", "Number of COF measurements", "CoF test: wear depth (\u00B5m)".
+bool namesNumbersOfOtherKind(const TextEntry& entry) {
+  constexpr WordList kOfOtherKind(
+      "std stdev stddev sd sem cv rsd deviation standardabweichung standardfehler abweichung "
+      "streuung "
+      "scatter error errors fehler uncertainty unsicherheit variance varianz number anzahl count "
+      "max "
+      "maximum maximal maximaler min minimum peak spitze static statisch haftreibung breakaway "
+      "initial "
+      "wear verschlei\u00DF depth tiefe amplitude stick difference differenz ratio relative change "
+      "\u00E4nderung");
+  const std::string line = joinEntry(entry, " ");
+  const std::string unit = parseColumnName(line).unit;
+  const bool hasWord = std::ranges::any_of(
+      wordsIn(line), [&](const std::string& word) { return isOneOf(word, kOfOtherKind); });
+  return hasWord || (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit));
+}
+
 /// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
 /// table names it.
 void nameFrictionInStates(TextBlock& block) {
@@ -263,8 +284,15 @@ void nameFrictionInStates(TextBlock& block) {
       if (anyColumn(words, i, kMaxWords, isFriction)) return true;
     return false;
   };
+  const auto isTitle = [&](const TextEntry& entry) {
+    return (entry.key.empty() || entry.value.empty() || namesFriction(entry)) &&
+           !isLineOfNames(entry, block.columns);
+  };
   if (hasMu || block.columns.size() < 3 ||
-      (!isCorner && std::ranges::none_of(block.header, namesFriction)))
+      (!isCorner && std::ranges::none_of(block.header, namesFriction)) ||
+      std::ranges::any_of(block.header, [&](const TextEntry& entry) {
+        return isTitle(entry) && namesNumbersOfOtherKind(entry);
+      }))
     return;
   TextBlock named = block;
   if (isCorner || named.columns.front().name.empty()) named.columns.front().name = heads.name;

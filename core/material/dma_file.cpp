@@ -374,7 +374,7 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 }
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
-  std::vector<Message> ofCells = repeatNames(table, temperatureNamed);
+  std::vector<Message> ofCells = repeatNames(table, isSweep, temperatureNamed);
   moveLinesAbove(table, name);
   joinMatrices(table, ofCells);
   transposeRows(table, isSweep, ofCells);

@@ -280,6 +280,8 @@ void moveLinesAbove(TextTable& table, const std::string& name) {
     return isTemperature || isConstant || isModulus ? word : std::string();
   };
   const std::vector<TextEntry> lines = statedBelow(table, quantityOf);
+  const ShiftConstants above = shiftConstants(table, {});
+  if (above.c1 || above.c2 || above.energy) return;
   // A line with another temperature or about a shift may change what these mean.
   const auto isUnclear = [&](const TextEntry& entry) {
     if (std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end()) return false;
@@ -288,21 +290,21 @@ void moveLinesAbove(TextTable& table, const std::string& name) {
   };
   if (std::ranges::any_of(table.trailer, isUnclear)) return;
   // The lines above the table precede them, and so does the name of the file.
-  const std::size_t above = block.header.size();
+  const std::size_t linesAbove = block.header.size();
   const auto agree = [&] {
     if (!hasTemperature) return true;
     if (statedTemperature({table, block}, {}, {}, true)) return false;
     std::ranges::copy(lines, std::back_inserter(block.header));
     const auto ofName = temperatureInName(name),
                below = statedTemperature({table, block}, {}, {}, true);
-    block.header.resize(above);
+    block.header.resize(linesAbove);
     constexpr double kSame = 0.01;  // K
     return !ofName || (below && std::abs(ofName->kelvin - below->kelvin) < kSame);
   };
   try {
     if (!agree()) return;
   } catch (const InputError&) {
-    block.header.resize(above);
+    block.header.resize(linesAbove);
     return;
   }
   std::ranges::copy(lines, std::back_inserter(block.header));

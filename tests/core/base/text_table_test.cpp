@@ -668,7 +668,7 @@ TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
     EXPECT_TRUE(last.remarks.empty()) << text;
   }
   const TextTable marked = read("x;z\n1;2\n3;4;ok\n5;6;mean\n");
-  EXPECT_THAT(marked.blocks[0].column(1), ElementsAre(2));
+  EXPECT_THAT(marked.blocks[0].column(1), ElementsAre(2, 4));
   // A number behind a row is one too many.
   EXPECT_THAT(errorOf("x;z\n1;2\n3;4;5\n5;6\n7;8\n"), HasSubstr("line 3: has 3 fields"));
 }
@@ -716,6 +716,33 @@ TEST(TextTable, CommentsEndRowsOfTablesWithLabelsToo) {
   }
 }
 
+TEST(TextTable, QuotedNamesMayHaveLinesWithNumbers) {
+  for (const char* first : {"1", "0", "7"}) {
+    const TextBlock block = read(std::string("\"v\n(mm/s)\";\"mu\n5 \u00B0C\";\"mu\n1. run\"\n") +
+                                 first + ";0.5;0.6\n10;0.7;0.8\n")
+                                .largest();
+    ASSERT_EQ(block.columns.size(), 3U);
+    EXPECT_EQ(block.columns[0].name, "v") << first;
+    EXPECT_EQ(block.columns[1].name + " " + block.columns[1].unit, "mu 5 \u00B0C") << first;
+    EXPECT_EQ(block.columns[2].name, "mu 1. run") << first;
+  }
+  // Names of which one cannot be joined are not joined at all.
+  const TextTable other = read("\"v\n(mm/s)\";\"mu\n5\"\n2;0.5\n10;0.7\n");
+  for (const TextColumn& column : other.largest().columns) EXPECT_NE(column.name, "v");
+}
+
+TEST(TextTable, WordsBehindEachRowAreNoColumnOfFriction) {
+  for (const char* rows :
+       {"1;0.5;ok\n10;0.7;ok\n100;0.9;ok\n", "1;0.5;ok\n10;0.7;good\n100;0.9\n"}) {
+    const TextTable table = read(std::string("v (mm/s);mu\n") + rows, withTexts());
+    EXPECT_EQ(table.largest().columns[0].name, "v") << rows;
+    EXPECT_THAT(table.largest().column(1), ElementsAre(0.5, 0.7, 0.9)) << rows;
+    EXPECT_FALSE(table.remarks.empty()) << rows;
+  }
+  const TextTable marked = read("v (mm/s);mu\n1;0.5;ok\n10;0.7;bad\n", withTexts());
+  for (const TextColumn& column : marked.largest().columns) EXPECT_EQ(column.name, "");
+}
+
 TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
   const TextBlock block = read("v;unit;mu\n1;mm/s;0.5\n10;mm/s;0.6\n", withTexts()).largest();
   EXPECT_EQ(block.columns[0].unit, "mm/s");
@@ -746,7 +773,8 @@ std::string temperatureIn(const std::string& name, const std::string& unit) {
 TextTable readTwice(const std::string& above, const std::string& between,
                     std::vector<Message>& notes, const std::string& names = "x (mm);z") {
   TextTable table = read(above + "\n" + names + "\n1;2\n3;4\n" + between + "\n5;6\n7;8\n");
-  notes = repeatNames(table, temperatureIn);
+  notes = repeatNames(
+      table, [](const TextBlock& block) { return block.hasNames(); }, temperatureIn);
   return table;
 }
 

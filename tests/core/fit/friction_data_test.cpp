@@ -1060,7 +1060,8 @@ TEST(FrictionData, OtherLinesBelowTheTableAreNotUsed) {
         "T at the end: 25 \u00B0C\n", "end temperature 25 \u00B0C\n", "Load: 50 N (at break)\n",
         "Storage:\nT = 5 \u00B0C\n", "Vulcanisation: 20 min\nTemperature: 160 \u00B0C\n",
         "Load cell: 500 N\nLoad: 500 N\n", "Conditioning: 24 h\nT: 70 \u00B0C\n",
-        "Sample 2: T = 60 \u00B0C\nLoad: 50 N\n"}) {
+        "Sample 2: T = 60 \u00B0C\nLoad: 50 N\n", "Sample: B\nT = 60 \u00B0C\n",
+        "Time: 20 min\nTemperature: 160 \u00B0C\n", "Temperature: 160 \u00B0C\nTime: 20 min\n"}) {
     const FrictionData data = parsed(rows + below);
     ASSERT_EQ(data.points.size(), 2U) << below;
     EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << below;
@@ -1090,6 +1091,50 @@ TEST(FrictionData, RowsBelowOtherLinesAreNotUsed) {
     });
     EXPECT_TRUE(hasNote) << between;
   }
+}
+
+TEST(FrictionData, StatesHoldUntilTheNextOne) {
+  const FrictionData data = parsed(
+      "T = 5 \u00B0C\nLoad: 50 N\nv (mm/s);mu\n1;0.6\n10;0.8\nT = 20 \u00B0C\n1;0.5\n10;0.7\n"
+      "Load: 100 N\n1;0.4\n10;0.6\nT = 5 \u00B0C\n1;0.45\n10;0.65\n");
+  ASSERT_EQ(data.points.size(), 8U);
+  EXPECT_DOUBLE_EQ(data.points[2].normalForce, 50);
+  EXPECT_DOUBLE_EQ(data.points[4].normalForce, 100);
+  EXPECT_DOUBLE_EQ(data.points[4].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(data.points[6].normalForce, 100);
+  EXPECT_DOUBLE_EQ(data.points[6].temperature, 278.15);
+}
+
+TEST(FrictionData, NumbersOfOtherKindsInStatesAreNotFriction) {
+  for (const char* corner : {"", "v (mm/s)"})
+    for (const char* title :
+         {"COF standard deviation", "COF max", "Static COF", "Number of COF measurements",
+          "CoF test: wear depth (\u00B5m)", "Stick-slip amplitude of mu", "COF\nstd",
+          "COF\nWear rate (mm3/Nm)"}) {
+      const std::string text =
+          std::string(title) + "\n" + corner + ";5 N;10 N\n1 mm/s;0.05;0.07\n10 mm/s;0.06;0.08\n";
+      EXPECT_NE(errorOf(text), "no error") << text;
+    }
+}
+
+TEST(FrictionData, RowsOfQuantitiesNeedUnitsInTheirNames) {
+  for (const char* text : {"v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nload (N);5 kN;5 kN;10 kN\n",
+                           "Speed (m/s);1 mm/s;2 mm/s;5 mm/s\nmu;0.5;0.7;0.9\n",
+                           "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nmu_error;5 %;5 %;5 %\n"})
+    EXPECT_NE(errorOf(text), "no error") << text;
+  const FrictionData data = parsed(
+      "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nstate;dry;dry;wet\nT (\u00B0C);20;20;40\nlabel;A;B;C\n");
+  EXPECT_EQ(data.points.size(), 3U);
+  const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
+    return note.english().find("label") != std::string::npos;
+  });
+  EXPECT_TRUE(hasNote);
+}
+
+TEST(FrictionData, AColumnOfUnitsOfAnotherColumnIsAskedFor) {
+  EXPECT_THAT(errorOf("v;Einheit;mu;Load;Einheit\n1;mm/s;0.5;5;kN\n10;mm/s;0.6;5;kN\n"),
+              HasSubstr("names 'kN'"));
+  EXPECT_THAT(errorOf("n;v;unit;mu\n1;1;mm/s;0.5\n2;10;mm/s;0.6\n"), HasSubstr("names 'mm/s'"));
 }
 
 TEST(FrictionData, TheExactNameOfTheForceOfFrictionPrecedesOthers) {

@@ -469,5 +469,15 @@ TEST(PronyTable, TemperatureAndShiftMayStandBelow) {
   }
 }
 
+TEST(PronyTable, TheShiftAboveATablePrecedesOneBelow) {
+  const auto file = readSeries(
+      "G_inf = 1 MPa\nTref = 20 \u00B0C\nC1 = 5\nC2 = 50 K\ntau (s);G (MPa)\n0.1;2\n10;1\n\nC1 = "
+      "10\nC2 = 100 "
+      "K\n");
+  ASSERT_TRUE(file->shift.has_value());
+  EXPECT_DOUBLE_EQ(file->shift->c1, 5);
+  EXPECT_DOUBLE_EQ(file->shift->c2, 50);
+}
+
 }  // namespace
 }  // namespace asperity
