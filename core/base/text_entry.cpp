@@ -66,10 +66,33 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
 
 }  // namespace
 
+bool isUnitInFront(std::string_view key, std::string_view unit) {
+  if (!isKnownUnit(unit)) return false;
+  const std::string_view bare = withoutBrackets(unit);
+  if ((bare.size() > 1 && bare != "PA") || bare == "%" || bare.size() != trimmedField(unit).size())
+    return true;
+  // "Sample;N;50" has a name, "Load;N;50" a unit.
+  const std::string word = lowerCase(trimmedField(key));
+  const std::string_view last = std::string_view(word).substr(word.find_last_of(" \t") + 1);
+  if (bare == "N") return isOneOf(last, "load force last kraft normalkraft");
+  if (bare == "K" || bare == "C") return isOneOf(last, "temperature temperatur");
+  if (bare == "s") return isOneOf(last, "time zeit tau \u03C4 t");
+  if (bare == "m") return isOneOf(last, "x y z position distance weg height h\u00F6he");
+  return false;
+}
+
+bool isColumnOfUnits(const TextColumn& column) {
+  constexpr WordList kOfUnits("unit units einheit einheiten unit\u00E9 unidad unit\u00E0");
+  return column.isText && isOneOf(lowerCase(column.name), kOfUnits);
+}
+
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   std::string_view line = withoutCommentMark(kept.text, dialect);
   // "\Scan Size: 120 120 ~m" in quotes, as NanoScope writes it
-  if (const std::string_view bare = trimmedField(line); bare.find('"') == bare.npos) line = bare;
+  if (const std::string_view bare =
+          trimmedField(line.substr(0, line.find_last_not_of(";, \t") + 1));
+      line.find_first_of("\"'") == 0 && bare.find('"') == bare.npos)
+    line = bare;
   TextEntry entry{{}, std::string(line), kept.number};
   entry.written = line.substr(0, line.find_last_not_of(";, \t") + 1);
   replaceAll(entry.written, "\t", " ");
@@ -95,9 +118,14 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     return entry;
   if (isExact && end >= fields.front().size()) {
     // "Width;10;\u00B5m"
-    std::string value;
+    std::vector<std::string_view> parts;
     for (std::size_t i = 1; i < fields.size(); ++i)
-      if (const auto part = trimmedField(fields[i]); !part.empty()) appendItem(value, part, " ");
+      if (const auto part = trimmedField(fields[i]); !part.empty()) parts.push_back(part);
+    // "Width;\u00B5m;10"
+    if (parts.size() == 2 && isUnitInFront(fields.front(), parts[0]) && beginsAsNumber(parts[1]))
+      parts = {parts[1], withoutBrackets(parts[0])};
+    std::string value;
+    for (const std::string_view part : parts) appendItem(value, part, " ");
     setKey(fields.front(), value);
   } else if (end != std::string_view::npos) {
     constexpr std::size_t kWide = 3;  // bytes of a full-width colon

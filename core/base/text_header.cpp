@@ -172,7 +172,10 @@ TextColumn quantityOfHeads(TextColumn& corner, const std::vector<TextEntry>& hea
     const std::string_view line = withoutEnd(entry.written, ":;, ");
     if (line.find_first_of("0123456789") != line.npos) continue;
     // "COF at load (N)" names friction in front of it.
-    const std::vector<std::string_view> words = splitWords(line);
+    std::string fields(line);
+    std::ranges::replace_if(
+        fields, [](char letter) { return letter == ';' || letter == '|'; }, ' ');
+    const std::vector<std::string_view> words = splitWords(fields);
     std::string last;
     for (auto word = words.rbegin(); word != words.rend(); ++word) {
       last = std::string(*word) + (last.empty() ? "" : " ") + last;

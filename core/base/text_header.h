@@ -32,6 +32,13 @@ std::size_t keyEnd(std::string_view line);
 /// Returns whether a text ends with a number and its unit, as "Load 30 N" does.
 bool statesQuantity(std::string_view text);
 
+/// Returns whether a word in front of the number of a key is its unit: "Width;mm;10". A letter may
+/// be a name, "Sample;N;50", except where the key names its quantity: "Load;N;50".
+bool isUnitInFront(std::string_view key, std::string_view unit);
+
+/// Returns whether a column has the units of the numbers before it by its name.
+bool isColumnOfUnits(const TextColumn& column);
+
 /// Reads the key and the value of a line (text_entry.cpp).
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 

@@ -31,14 +31,22 @@ std::vector<std::string> splitAtWideBlanks(std::string_view line) {
 }
 
 /// Splits at single blanks; a unit, and a text in brackets or after a slash, stays with the name
-/// before it.
-std::vector<std::string> splitAtBlanks(std::string_view line) {
+/// before it. joinsPhrases: whether a text after "of" or "at" does so, too.
+std::vector<std::string> splitAtBlanks(std::string_view line, bool joinsPhrases) {
+  constexpr WordList kTemperatures("t temp temp. temperature temperatur t/k t/\u00B0c t_k t_c");
   const std::vector<std::string_view> words = splitWords(line);
   std::vector<std::string> fields;
   bool open = false, joined = false;
-  for (const std::string_view word : words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string_view word = words[i];
     const bool isUnit = (word.front() == '(' || word.front() == '[' || word.front() == '{');
-    const bool isStroke = word == "/" || isOneOf(word, kBeforeUnits);
+    // Shift factors may be called "at", beside their temperatures.
+    const bool isName = word == "at" && (fields.empty() || fields.back().ends_with(')') ||
+                                         fields.back().ends_with(']') ||
+                                         isOneOf(lowerCase(fields.back()), kTemperatures));
+    const bool isPhrase =
+        joinsPhrases && i + 1 < words.size() && isOneOf(word, "at bei of") && !isName;
+    const bool isStroke = word == "/" || isPhrase || isOneOf(word, kBeforeUnits);
     if (!fields.empty() && (open || joined || isUnit || isStroke))
       fields.back() += " " + std::string(word);
     else
@@ -70,7 +78,11 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
   if (line.find('\t') != std::string_view::npos) ways.push_back(splitAt(line, Separator::Tab));
   ways.push_back(splitAtWideBlanks(line));
   // Where the separator of the rows separates the names as well, blanks are part of the names.
-  if (!isSeparated) ways.push_back(splitAtBlanks(line));
+  if (!isSeparated) {
+    ways.push_back(splitAtBlanks(line, true));
+    // "COF at load (N)" is no three names.
+    if (!dialect.isExact() || ways.back().size() > 1) ways.push_back(splitAtBlanks(line, false));
+  }
   for (const Separator separator : {Separator::Semicolon, Separator::Comma})
     ways.push_back(splitAt(line, separator));
   // A unit in brackets is no name of its own among others.
@@ -268,8 +280,10 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
                                      const std::vector<Field>& first) {
   const std::size_t columns = first.size();
   std::vector<TextColumn> named(columns);
-  const bool mayCountRows =
-      first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
+  // Behind "v;mu;ok" the column without a name is the last one.
+  const bool mayCountRows = first[0].kind == FieldKind::Number &&
+                            (first[0].value == 0 || first[0].value == 1) &&
+                            first.back().kind != FieldKind::Flag;
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   auto units = std::ranges::find_if(rows, areUnits);
   // The column without a unit may be another one.

@@ -4,13 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
+#include "core/base/units.h"
 
 namespace asperity {
 
@@ -82,11 +86,14 @@ std::string TextPart::entry(std::string_view key) const {
 namespace {
 
 /// Returns whether a block is a list of names and numbers, as "Load [N];75" below "Compound;A12",
-/// where the third column may have units.
+/// which may have units behind the numbers or in front of them.
 bool isList(const TextBlock& block) {
-  const std::size_t count = block.columns.size();
-  return (count == 2 || (count == 3 && block.columns[2].isText)) && block.columns[0].isText &&
-         !block.columns[1].isText;
+  const std::vector<TextColumn>& columns = block.columns;
+  if (columns.size() < 2 || columns.size() > 3 || !columns[0].isText) return false;
+  if (columns.size() == 2 || columns[2].isText) return !columns[1].isText;
+  for (std::size_t row = 0; columns[1].isText && row < block.rows; ++row)
+    if (isUnitInFront(block.texts[0][row], block.texts[1][row])) return true;
+  return false;
 }
 
 bool hasTwoNumbers(const TextBlock& block) {
@@ -96,14 +103,21 @@ bool hasTwoNumbers(const TextBlock& block) {
 /// Returns the lines of a list as they would stand above a table.
 std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
   std::vector<TextEntry> entries = list.header;
+  const std::size_t numbers = list.columns[1].isText ? 2 : 1, units = 3 - numbers;
   for (std::size_t row = 0; row < list.rows; ++row) {
-    if (std::isnan(list.at(row, 1))) continue;
-    std::string value = plain(list.at(row, 1)).text;
+    if (std::isnan(list.at(row, numbers))) continue;
+    std::string value = plain(list.at(row, numbers)).text;
     std::ranges::replace(value, '.', decimal);
-    if (row < list.cells[1].size() && !list.cells[1][row].text.empty())
-      value = list.cells[1][row].text;
-    if (list.columns.size() == 3) appendItem(value, list.texts[2][row], " ");
+    if (row < list.cells[numbers].size() && !list.cells[numbers][row].text.empty())
+      value = list.cells[numbers][row].text;
     const std::string& key = list.texts[0][row];
+    if (list.columns.size() == 3) {
+      const std::string& unit = list.texts[units][row];
+      if (units > numbers || isUnitInFront(key, unit))
+        appendItem(value, unit, " ");
+      else
+        value = unit + " " + value;
+    }
     entries.push_back({key, value, list.lines[row], key + ": " + value});
   }
   return entries;
@@ -152,6 +166,145 @@ void moveListsAbove(TextTable& table) {
     below->header.insert(below->header.begin(), entries.begin(), entries.end());
     blocks.erase(below - 1);
   }
+}
+
+namespace {
+
+bool isDrawn(const TextEntry& entry) {
+  return joinEntry(entry).find_first_not_of("-=_+|;,* ") == std::string::npos;
+}
+
+/// A clause that is a name, a number and a unit and nothing else.
+struct StatedClause {
+  std::string quantity{};  // by the caller's word
+  double number = 0;
+};
+
+/// Reads such a clause; nothing where it is none, or has none of the caller's quantities.
+std::optional<StatedClause> parseStated(std::string_view clause, const StatedQuantity& quantityOf) {
+  const std::size_t sign = clause.find_first_of(":=");
+  const std::size_t number = sign == clause.npos ? clause.find_first_of("+-0123456789") : sign + 1;
+  if (number == clause.npos) return {};
+  const auto value = parseQuantity(clause.substr(number));
+  const std::string_view key = withoutEnd(clause.substr(0, number), " :=");
+  if (!value || (sign == clause.npos && key.size() == number && number > 0)) return {};
+  // "T [\u00B0C] = 20", but not "[1] T = 20 \u00B0C"
+  const TextColumn name = parseColumnName(key);
+  if (!key.starts_with(name.name) || (!name.unit.empty() && !value->unit.empty())) return {};
+  StatedClause stated{quantityOf(plainWord(name.name), name.unit + value->unit), value->number};
+  return stated.quantity.empty() ? std::nullopt : std::optional(std::move(stated));
+}
+
+/// Returns whether a line below a table is about who measured it, when, and on which size of a
+/// sample, so that lines below it still are about the table. "Sample: B" may begin another one.
+bool isOfRecord(const TextEntry& entry) {
+  constexpr WordList kOfRecord(
+      "operator bediener pr\u00FCfer date datum file datei lab labor width breite length "
+      "l\u00E4nge "
+      "thickness dicke area fl\u00E4che");
+  const std::vector<std::string> words = wordsIn(entry.key);
+  return !entry.value.empty() && entry.value.find('=') == std::string::npos && !words.empty() &&
+         isOneOf(words.front(), kOfRecord);
+}
+
+}  // namespace
+
+std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity& quantityOf) {
+  // A temperature beside a duration is one of curing, ageing or storing.
+  const auto statesDuration = [](const TextEntry& entry) {
+    const auto stated = parseStatement(joinEntry(entry));
+    return stated && unitSize(stated->unit(), "s");
+  };
+  constexpr std::size_t kMaxLines = 100;
+  std::vector<TextEntry> lines;
+  if (table.trailer.size() > kMaxLines || std::ranges::any_of(table.trailer, statesDuration))
+    return lines;
+  for (const TextEntry& entry : table.trailer) {
+    if (isDrawn(entry) || isOfRecord(entry)) continue;
+    const std::string line = joinEntry(entry);
+    const std::vector<std::string_view> clauses = splitClauses(line);
+    const auto isStated = [&](std::string_view clause) {
+      return parseStated(clause, quantityOf).has_value();
+    };
+    if (clauses.empty() || !std::ranges::all_of(clauses, isStated)) break;
+    lines.push_back(entry);
+  }
+  return lines;
+}
+
+namespace {
+
+/// How two lines differ.
+enum class Difference { None, Values, Other };
+
+/// Compares two lines by their clauses: "Sample A, T = 5 \u00B0C" and "Sample A, T = 20 \u00B0C"
+/// differ in the values of quantities alone.
+Difference compareLines(const TextEntry& one, const TextEntry& other,
+                        const StatedQuantity& quantityOf) {
+  const std::string first = joinEntry(one), second = joinEntry(other);
+  const std::vector<std::string_view> ofOne = splitClauses(first), ofOther = splitClauses(second);
+  if (ofOne.size() != ofOther.size()) return Difference::Other;
+  Difference difference = Difference::None;
+  for (std::size_t i = 0; i < ofOne.size(); ++i) {
+    if (ofOne[i] == ofOther[i]) continue;
+    const auto before = parseStated(ofOne[i], quantityOf),
+               now = parseStated(ofOther[i], quantityOf);
+    if (!before || !now || before->quantity != now->quantity) return Difference::Other;
+    if (before->number != now->number) difference = Difference::Values;
+  }
+  return difference;
+}
+
+/// Returns whether each line above a block is one of those above the rows before it, with other
+/// values of quantities in at least one, and puts it in the place of that one.
+bool restates(const TextBlock& block, const StatedQuantity& quantityOf,
+              std::vector<TextEntry>& above) {
+  bool hasOtherValue = false;
+  for (const TextEntry& entry : block.header) {
+    if (isDrawn(entry)) continue;
+    const auto same = std::ranges::find_if(above, [&](const TextEntry& one) {
+      return compareLines(one, entry, quantityOf) != Difference::Other;
+    });
+    if (same == above.end()) return false;
+    hasOtherValue |= compareLines(*same, entry, quantityOf) == Difference::Values;
+    *same = entry;
+  }
+  return hasOtherValue;
+}
+
+}  // namespace
+
+std::vector<Message> repeatNames(TextTable& table,
+                                 const std::function<bool(const TextBlock&)>& isTable,
+                                 const StatedQuantity& quantityOf) {
+  std::vector<Message> notes;
+  const TextBlock* named = nullptr;
+  std::vector<TextEntry> above;  // the lines above the last rows
+  const auto isOfNoColumn = [&](const std::string& name, const std::string& unit) {
+    std::string quantity = quantityOf(name, unit);
+    const auto hasIt = [&](const TextColumn& column) {
+      return quantityOf(plainWord(column.name), column.unit) == quantity;
+    };
+    return std::ranges::any_of(named->columns, hasIt) ? std::string() : quantity;
+  };
+  for (TextBlock& block : table.blocks) {
+    // "T = 20 \u00B0C;;" has been taken for the name of the first column.
+    const bool hasNames = std::any_of(block.columns.begin() + 1, block.columns.end(),
+                                      [](const TextColumn& one) { return !one.name.empty(); });
+    const bool hasTexts = std::ranges::any_of(block.columns, &TextColumn::isText);
+    if (hasNames && !hasTexts && isTable(block)) {
+      named = &block;
+      above = block.header;
+    } else if (named && !hasTexts && block.columns.size() == named->columns.size() &&
+               restates(block, isOfNoColumn, above)) {
+      block.columns = named->columns;
+      notes.push_back(message("the rows from line {} on have the columns of the table above them",
+                              block.lines.front()));
+    } else {
+      named = nullptr;
+    }
+  }
+  return notes;
 }
 
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity) {
@@ -206,6 +359,16 @@ Message unclearMark(char decimal) {
       std::string(1, decimal));
 }
 
+namespace {
+
+std::string listed(const std::vector<std::uint32_t>& lines) {
+  std::string list;
+  for (const std::uint32_t line : lines) appendItem(list, std::to_string(line));
+  return list;
+}
+
+}  // namespace
+
 std::vector<Message> doubtsAbout(const TextTable& table) {
   std::vector<Message> doubts;
   const std::vector<std::uint32_t>& lines = table.leftOut;
@@ -218,6 +381,9 @@ std::vector<Message> doubtsAbout(const TextTable& table) {
         message("{} lines, the first is line {}, are left out: they begin with a number but are "
                 "not rows of the table.",
                 lines.size(), lines.front()));
+  if (!table.remarks.empty())
+    doubts.push_back(message("Words behind the columns are not read: lines {}",
+                             PrintedNumber{shortened(listed(table.remarks))}));
   if (table.dialect.hasThousandsAlone)
     doubts.push_back(message(
         "All numbers of a column have a '{}' before their last three digits and are read as "

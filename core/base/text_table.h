@@ -75,6 +75,8 @@ struct TextTable {
   /// The numbers of lines that look like rows but are not: damaged ones right above or below a
   /// block, and those after the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
+  /// The numbers of the rows behind which stand words that are not read.
+  std::vector<std::uint32_t> remarks{};
 
   /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;
@@ -125,6 +127,25 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
 /// [N];75" below "Compound;A12", where a table with two columns of numbers follows; and so single
 /// rows of numbers with names, "Load [N];T [C]" above "75;20".
 void moveListsAbove(TextTable& table);
+
+/// Returns the quantity that a name, in lower case without blanks and brackets, and a unit state;
+/// empty where it is none of those meant.
+using StatedQuantity = std::function<std::string(const std::string& name, const std::string& unit)>;
+
+/// Returns the lines below the last table each of whose clauses is the name, the number and the
+/// unit of such a quantity and nothing else: "T = 20 \u00B0C; Load 50 N". Lines about who measured
+/// it, when, and on which size of a sample may stand among them; any other line ends them, because
+/// what stands below it may be of something else. None where a line states a duration.
+std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity& quantityOf);
+
+/// Gives the names of a table to numbers below it that have none and as many columns, where each
+/// line between them is one of those above the table with another value of such a quantity:
+/// "T = 5 \u00B0C, dry" above the first rows and "T = 20 \u00B0C, dry" above the others. No column
+/// has these quantities; the name may be empty, as in "20 \u00B0C". isTable: whether a table is one
+/// whose names count. Returns notes on them.
+std::vector<Message> repeatNames(TextTable& table,
+                                 const std::function<bool(const TextBlock&)>& isTable,
+                                 const StatedQuantity& quantityOf);
 
 /// Replaces logarithms by the quantities themselves in columns with names such as "log10(f/Hz)",
 /// "lg G' (Pa)", "ln v", and changes these names accordingly. isQuantity: whether the caller knows

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -12,6 +13,7 @@
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 namespace {
@@ -20,17 +22,102 @@ constexpr std::size_t kMaxNumbers = std::size_t{1} << 27;
 constexpr std::size_t kMaxHeaderLines = 10000;               // that are kept for one block
 constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
 
+/// A text whose quoted fields with line breaks, as spreadsheets write long names of columns, stand
+/// in one line each.
+struct JoinedText {
+  std::string_view text{};            // of the text given, or of `joined`
+  std::string joined{};               // where there are such fields
+  std::vector<std::size_t> breaks{};  // positions in it at which a line of the file ended
+
+  explicit JoinedText(std::string_view written);
+  JoinedText(const JoinedText&) = delete;  // the text may be its own
+  JoinedText& operator=(const JoinedText&) = delete;
+};
+
+/// Returns whether a line of a quoted field may be one of a name: "mu" and, below such a line,
+/// "5 \u00B0C", but neither a number alone nor a statement such as "Width: 10 mm".
+bool isLineOfName(std::string_view line, bool isFirst) {
+  if (trimmedBlanks(line).empty()) return true;
+  if (readField(line, '.').kind != FieldKind::Text || keyEnd(line) != std::string_view::npos)
+    return false;
+  return !isFirst || (!beginsAsNumber(line) && !statesQuantity(line));
+}
+
+/// Returns the length of a quoted field with line breaks at the beginning of a text; 0 where there
+/// is none. It has no signs that separate fields, so that no rows are joined.
+std::size_t lengthOfBrokenField(std::string_view text) {
+  constexpr std::size_t kLongest = 200;
+  bool isBroken = false;
+  std::size_t begin = 1;  // of the line
+  for (std::size_t i = 1; i < std::min(text.size(), kLongest); ++i) {
+    const std::string_view rest = text.substr(i + 1);
+    if (std::string_view(";,|\t").find(text[i]) != std::string_view::npos) return 0;
+    const bool isEnd = text[i] == '\n' || (text[i] == '"' && !rest.starts_with('"'));
+    if (isEnd && (isBroken || text[i] == '\n')) {
+      if (!isLineOfName(trimmedField(text.substr(begin, i - begin)), !isBroken)) return 0;
+      begin = i + 1;
+    }
+    isBroken = isBroken || text[i] == '\n';
+    if (text[i] != '"') continue;
+    if (!rest.starts_with('"'))
+      return isBroken && (rest.empty() || rest.find_first_of(";,|\t\r\n ") == 0) ? i + 1 : 0;
+    ++i;  // two of them are one of the text
+  }
+  return 0;
+}
+
+/// Returns whether a quoted field at the beginning of a text ends in its line.
+bool endsInLine(std::string_view text) {
+  return text.substr(1, text.find('\n') - 1).find('"') != std::string_view::npos;
+}
+
+JoinedText::JoinedText(std::string_view written) : text(written) {
+  std::size_t kept = 0;
+  for (std::size_t at = written.find('"'); at != written.npos; at = written.find('"', at + 1)) {
+    if (at > 0 && std::string_view(";,|\t\n").find(written[at - 1]) == std::string_view::npos)
+      continue;
+    const std::string_view field = written.substr(at);
+    const std::size_t length = lengthOfBrokenField(field);
+    const bool isInJoinedLine =
+        kept > 0 && written.substr(kept, at - kept).find('\n') == written.npos;
+    // Of a line of names all fields are joined, or none.
+    if (length == 0 && isInJoinedLine && !endsInLine(field)) {
+      breaks.clear();
+      return;
+    }
+    if (length == 0) continue;
+    joined += written.substr(kept, at - kept);
+    kept = at + length;
+    for (const char letter : field.substr(0, length)) {
+      if (letter == '\r') continue;
+      if (letter == '\n') breaks.push_back(joined.size());
+      joined += letter == '\n' ? ' ' : letter;
+    }
+    at = kept - 1;
+  }
+  if (kept == 0) return;
+  joined += written.substr(kept);
+  text = joined;
+}
+
 class TableReader {
  public:
-  TableReader(std::string_view text, const std::string& name, const TextTableOptions& options,
+  TableReader(const JoinedText& text, const std::string& name, const TextTableOptions& options,
               TextTable& table)
-      : whole_(text), rest_(text), name_(name), options_(options), table_(table) {}
+      : whole_(text.text),
+        rest_(text.text),
+        breaks_(text.breaks),
+        name_(name),
+        options_(options),
+        table_(table) {}
 
   void read() {
     while (!rest_.empty()) {
       const TextLine line{takeLine(rest_), ++number_};
-      if (whole_.size() - rest_.size() >= nextReport_) report();
+      const std::size_t done = whole_.size() - rest_.size();
+      if (done >= nextReport_) report();
       take(line);
+      for (; !breaks_.empty() && breaks_.front() < done; breaks_ = breaks_.subspan(1)) ++number_;
     }
     for (const TextLine& line : above_) addEntry(line, table_.trailer);
     if (table_.blocks.empty()) refuseWithoutRows();
@@ -95,7 +182,11 @@ class TableReader {
     if (isOpen_ && fits()) return append(line);
     if (isOpen_ && isRemark(line)) return keep(line);
     if (isOpen_) refuseAmidRows(line);
-    if (startsBlock(line)) return start(line);
+    const bool hadRemark = leaveRemark();
+    if (startsBlock(line)) {
+      if (hadRemark) table_.remarks.push_back(static_cast<std::uint32_t>(line.number));
+      return start(line);
+    }
     keep(line);
   }
 
@@ -174,12 +265,8 @@ class TableReader {
     return fields;
   }
 
-  /// Splits a line; where labels are kept, "#" belongs to them.
   void split(std::string_view line, std::vector<std::string_view>& fields) const {
-    if (options_.keepsTexts)
-      splitFields(line, table_.dialect.separator, fields);
-    else
-      splitRow(line, table_.dialect, fields);
+    splitRow(line, table_.dialect, fields, options_.keepsTexts);
     if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
   }
 
@@ -218,12 +305,50 @@ class TableReader {
         std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
   }
 
+  static bool isWord(const Field& field) {
+    return field.kind == FieldKind::Text || field.kind == FieldKind::Flag;
+  }
+
+  /// Returns whether all fields behind so many are words that change no row.
+  static bool isHarmless(const std::vector<std::string_view>& fields, std::size_t columns) {
+    return fields.size() > columns && isHarmlessRemark(fields[columns]) &&
+           std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(),
+                       [](std::string_view field) {
+                         return trimmedBlanks(field).empty() || isHarmlessRemark(field);
+                       });
+  }
+
+  /// Returns whether a row has words behind its last column that change nothing.
+  bool hasRemark() const { return isHarmless(fields_, block().columns.size()); }
+
+  /// Leaves out words behind the numbers of a first row, where there are as many names above it and
+  /// numbers below it, which may have such words, too. Returns whether there are some.
+  bool leaveRemark() {
+    const auto isValue = [this](std::string_view field) { return !isWord(read(field)); };
+    const auto begin = std::ranges::find_if_not(fields_, isValue);
+    const auto count = static_cast<std::size_t>(begin - fields_.begin());
+    if (count < 2 || !isHarmless(fields_, count) || isNamed(fields_.size()) || !isNamed(count))
+      return false;
+    const std::vector<std::string_view> next = fieldsOfNextLine();
+    if (next.size() < count ||
+        !std::all_of(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count), isValue) ||
+        (next.size() > count && !isHarmless(next, count)))
+      return false;
+    fields_.resize(count);
+    kinds_.resize(count);
+    cells_.resize(std::min(cells_.size(), count));
+    return true;
+  }
+
   /// Returns whether the fields are a row of the open block.
   bool fits() const {
     const std::vector<TextColumn>& columns = block().columns;
     std::size_t size = fields_.size();
     while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
-    if (size > columns.size()) return false;
+    if (size > columns.size()) {
+      if (!hasRemark()) return false;
+      size = columns.size();
+    }
     for (std::size_t i = size; i < columns.size(); ++i)
       if (!columns[i].isText) return false;
     bool anyValue = false;
@@ -248,6 +373,7 @@ class TableReader {
       std::vector<std::string_view> fields;
       split(line, fields);
       const std::vector<TextColumn>& columns = block().columns;
+      if (isHarmless(fields, columns.size())) fields.resize(columns.size());
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
       if (fields.size() != columns.size()) return false;
@@ -290,6 +416,16 @@ class TableReader {
     return fields.size() == size && isLikeNumber(fields.front());
   }
 
+  /// Returns whether words stand behind a row of numbers with names, right above the next one.
+  bool isRowWithWords() const {
+    const std::size_t columns = block().columns.size();
+    const auto isNumber = [](const Field& field) { return field.kind == FieldKind::Number; };
+    const std::string_view below = rest_.substr(0, rest_.find('\n'));
+    return block().hasNames() && kinds_.size() > columns &&
+           std::all_of(kinds_.begin(), kinds_.begin() + std::ssize(block().columns), isNumber) &&
+           !trimmedBlanks(below.substr(0, below.find('\r'))).empty() && nextLineFits();
+  }
+
   /// Throws InputError for a row with a wrong field or another width where rows continue. Several
   /// such rows are an error, too: results that a program writes below its rows begin with a word.
   void refuseAmidRows(const TextLine& line) const {
@@ -297,13 +433,14 @@ class TableReader {
     const std::vector<TextColumn>& columns = block().columns;
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
     const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
-    if (!isRow || isEntry || !above_.empty() || isNextHeading(line)) return;
+    const bool hasWords = isRowWithWords();
+    if (!isRow || (isEntry && !hasWords) || !above_.empty() || isNextHeading(line)) return;
     const bool isWide = fields_.size() != columns.size();
     const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
                             (!isWide || block().rows >= kManyRows) &&
                             nextLineResembles(fields_.size());
     if (!goOnBroken && !nextLineFits()) return;
-    if (isWide && countOf(FieldKind::Text) == 0)
+    if (isWide && (countOf(FieldKind::Text) == 0 || hasWords))
       fail(fields_.size() == 1 ? message("line {}: has one field where the lines before have {}",
                                          line.number, columns.size())
                                : message("line {}: has {} fields where the lines before have {}",
@@ -342,6 +479,8 @@ class TableReader {
       if (isThere && kinds_[i].kind == FieldKind::Flag)
         flags_.push_back(block().rows * columns + i);
     }
+    if (fields_.size() > columns && hasRemark())
+      table_.remarks.push_back(static_cast<std::uint32_t>(line.number));
     addRow(line);
   }
 
@@ -417,18 +556,34 @@ class TableReader {
     if (hasTime ? std::ranges::any_of(fields_, hasKey)
                 : keyEnd(line.text) != std::string_view::npos)
       return false;
+    // ";1 mm/s;10 mm/s" above "20 \u00B0C;0.5;0.7", where the unit of the first column names it
     const auto named = namedColumns(above_, table_.dialect, kinds_);
-    return std::ranges::none_of(named,
-                                [](const TextColumn& column) { return column.name.empty(); });
+    return std::none_of(named.begin() + (isCell(0) && named.size() > 1 ? 1 : 0), named.end(),
+                        [](const TextColumn& column) { return column.name.empty(); });
   }
 
-  /// Returns whether the line above a first row has equally many fields and begins with a number.
-  bool isDamagedRow(const TextLine& above, const TextLine& first) const {
+  /// Returns whether a line above a first row has equally many fields and begins with a number, or
+  /// equally many numbers and words behind them.
+  bool isDamagedRow(const TextLine& above) const {
     std::vector<std::string_view> fields;
     split(above.text, fields);
-    return above.number + 1 == first.number && fields.size() == fields_.size() &&
-           !isComment(above.text) &&
-           readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
+    const auto isNumber = [this](std::string_view field) {
+      return readField(field, table_.dialect.decimal).kind == FieldKind::Number;
+    };
+    if (isComment(above.text) || fields.size() < fields_.size() || !isNumber(fields.front()))
+      return false;
+    return fields.size() == fields_.size() ||
+           std::all_of(fields.begin(), fields.begin() + std::ssize(fields_), isNumber);
+  }
+
+  /// Leaves out damaged rows right above a first row.
+  void leaveOutAbove(const TextLine& first) {
+    auto begin = above_.end();
+    std::size_t number = first.number;
+    while (begin != above_.begin() && std::prev(begin)->number + 1 == number &&
+           isDamagedRow(*std::prev(begin)))
+      number = (--begin)->number;
+    for (; begin != above_.end(); ++begin) leaveOut(*begin);
   }
 
   /// Leaves out damaged rows right below the open block.
@@ -469,7 +624,7 @@ class TableReader {
       leaveOutBelow();
       endBlock();
     }
-    if (!above_.empty() && isDamagedRow(above_.back(), line)) leaveOut(above_.back());
+    leaveOutAbove(line);
     addBlock(line);
     isOpen_ = true;
     append(line);
@@ -504,6 +659,7 @@ class TableReader {
   }
 
   std::string_view whole_, rest_;
+  std::span<const std::size_t> breaks_;  // of lines, in the rest
   const std::string& name_;
   const TextTableOptions& options_;
   TextTable& table_;
@@ -522,6 +678,39 @@ class TableReader {
   std::size_t blankLines_ = 0;      // since the last row
 };
 
+/// Takes the units in a column of their own, behind the only one of numbers that they can belong
+/// to: "v;unit;mu" above "10;mm/s;0.6". Throws InputError where they differ, except in a list of
+/// names and numbers.
+void takeUnits(TextBlock& block, const std::string& name) {
+  if (std::ranges::count(block.columns, false, &TextColumn::isText) < 2) return;
+  std::size_t candidates = 0;  // columns of numbers since the last one of units
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    if (!block.columns[i].isText) ++candidates;
+    if (!isColumnOfUnits(block.columns[i])) continue;
+    if (std::exchange(candidates, 0) != 1 || block.columns[i - 1].isText) continue;
+    TextColumn& numbers = block.columns[i - 1];
+    const std::vector<std::string>& units = block.texts[i];
+    const auto unit = std::ranges::find_if(units, [](const auto& one) { return !one.empty(); });
+    if (unit == units.end() || !numbers.unit.empty() || !isUnitInFront(numbers.name, *unit))
+      continue;
+    const auto other = std::ranges::find_if(units, [&](const std::string& one) {
+      const auto row = static_cast<std::size_t>(&one - units.data());
+      return one != *unit && !std::isnan(block.at(row, i - 1));
+    });
+    if (other != units.end()) {
+      const auto column = shortened(numbers.name);
+      throw InputError(
+          name, "",
+          message("row {}: {}", block.lines[static_cast<std::size_t>(other - units.begin())],
+                  other->empty() ? message("column {} has no unit here, and {} elsewhere", column,
+                                           shortened(*unit))
+                                 : message("column {} has the unit {} here, and {} elsewhere",
+                                           column, shortened(*other), shortened(*unit))));
+    }
+    numbers.unit = *unit;
+  }
+}
+
 }  // namespace
 
 TextTable readTextTable(std::string_view bytes, const std::string& name,
@@ -530,8 +719,10 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
   TextTable table;
   const DecodedText decoded(bytes, name);
   table.encoding = decoded.encoding;
-  table.dialect = detectDialect(decoded.text, options.readsCells);
-  TableReader(decoded.text, name, options, table).read();
+  const JoinedText joined(decoded.text);
+  table.dialect = detectDialect(joined.text, options.readsCells);
+  TableReader(joined, name, options, table).read();
+  for (TextBlock& block : table.blocks) takeUnits(block, name);
   return table;
 }
 

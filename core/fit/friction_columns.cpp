@@ -1,6 +1,7 @@
 #include "core/fit/friction_columns.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -34,7 +35,9 @@ constexpr QuantityNames kKnownNames[] = {
      "geschwindigkeit "
      "gleitgeschwindigkeit gleitgeschw geschw vgleit vitesse vitessedeglissement velocit\u00E0 "
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
-     "velocidade velocidadededeslizamento snelheid glijsnelheid pr\u0119dko\u015B\u0107 "
+     "velocidade velocidadededeslizamento hastighet glidhastighet "
+     "pr\u0119dko\u015B\u0107po\u015Blizgu snelheid glijsnelheid "
+     "pr\u0119dko\u015B\u0107 "
      "\uC18D\uB3C4 "
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6 "
      "\u6ED1\u52A8\u901F\u5EA6"},
@@ -58,7 +61,8 @@ constexpr QuantityNames kKnownNames[] = {
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
      "coefficientedattrito "
      "coeffdiattrito coeficientedefricci\u00F3n coeficientedefriccion coeficientederozamiento "
-     "coeficientedeatrito wrijvingsco\u00EBffici\u00EBnt wrijvingscoefficient "
+     "coeficientedeatrito friktionskoefficient friktionstal wrijvingsco\u00EBffici\u00EBnt "
+     "wrijvingscoefficient "
      "wsp\u00F3\u0142czynniktarcia "
      "\u6469\u64E6\u4FC2\u6570 \u6469\u64E6\u7CFB\u6570 \uB9C8\uCC30\uACC4\uC218"},
     {Quantity::Force, "normal force",
@@ -72,7 +76,8 @@ constexpr QuantityNames kKnownNames[] = {
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
      "vertikallast forcenormale chargenormale forzanormale cariconormale caricoverticale "
      "fuerzanormal normaalkracht "
-     "carganormal charge carico carga \u8F7D\u8377 \u6CD5\u5411\u8F7D\u8377 \uD558\uC911 "
+     "carganormal for\u00E7anormal obci\u0105\u017Cenie si\u0142anormalna nacisk charge carico "
+     "carga \u8F7D\u8377 \u6CD5\u5411\u8F7D\u8377 \uD558\uC911 "
      "\uC218\uC9C1\uD558\uC911 \u8377\u91CD \u5782\u76F4\u8377\u91CD \u6CD5\u5411\u529B"},
     {Quantity::Pressure, "nominal pressure",
      "\u0434\u0430\u0432\u043B\u0435\u043D\u0438\u0435 "
@@ -90,7 +95,7 @@ constexpr QuantityNames kKnownNames[] = {
      "\u0442\u0435\u043C\u043F\u0435\u0440\u0430\u0442\u0443\u0440\u0430\u043E\u0431\u0440\u0430"
      "\u0437\u0446\u0430 "
      "s\u0131cakl\u0131k teplota "
-     "temperature temp t temperatur sampletemperature specimentemperature rubbertemperature "
+     "temperature temp t \u03D1 temperatur sampletemperature specimentemperature rubbertemperature "
      "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
      "temperaturerubber temperaturesample temperaturespecimen pr\u00FCftemperatur prueftemperatur "
      "temp\u00E9rature temperatura \u6E29\u5EA6 temperaturgummi temperaturprobe messtemperatur "
@@ -107,6 +112,7 @@ constexpr QuantityNames kKnownNames[] = {
 /// part.
 std::optional<std::string> withoutError(std::string word) {
   constexpr WordList kSigns(
+      "\u6807\u51C6\u5DEE \u6807\u51C6\u504F\u5DEE desviopadr\u00E3o standardavvikelse "
       "\u00E9carttype \u00C9carttype ecarttype deviazionestandard desviaci\u00F3nest\u00E1ndar "
       "desviacionestandar incertitude incertezza incertidumbre \u6A19\u6E96\u504F\u5DEE stabw "
       "\u0441\u0442\u0430\u043D\u0434\u0430\u0440\u0442\u043D\u043E\u0435\u043E\u0442\u043A\u043B"
@@ -151,7 +157,8 @@ std::string withoutRelative(std::string word) {
 /// Returns whether a name has several meanings, such as t for temperature and time, so that it
 /// needs a unit of its quantity.
 bool isAmbiguous(const std::string& word) {
-  return isOneOf(word, "t n w f charge carico carga sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
+  return isOneOf(word,
+                 "t \u03D1 n w f charge carico carga sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
 }
 
 /// Returns the words of a name without those of its average: "mu mean", "mu std (n=3)", "mu_err (1
@@ -176,19 +183,28 @@ std::optional<std::string> withoutAverage(std::string name) {
   return kept;
 }
 
+/// Returns whether a name can be split into words and a symbol that both say the same.
+bool isStatedTwice(const std::string& name,
+                   const std::function<bool(const std::string&, const std::string&)>& agree) {
+  constexpr std::size_t kMaxWords = 8;
+  const std::vector<std::string> words = nameWords(name);
+  for (std::size_t i = 1; i < words.size() && words.size() <= kMaxWords; ++i) {
+    std::string front, back;
+    for (std::size_t j = 0; j < words.size(); ++j) (j < i ? front : back) += words[j];
+    if (agree(front, back)) return true;
+  }
+  return false;
+}
+
 /// Returns the quantity that a name states in words and by its symbol: "Normal force F_N",
 /// "Temperature T".
 std::optional<Quantity> namedTwice(const std::string& name) {
-  constexpr std::size_t kMaxWords = 8;
-  const std::vector<std::string> words = nameWords(name);
-  if (words.size() > kMaxWords) return {};
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    std::string front, back;
-    for (std::size_t j = 0; j < words.size(); ++j) (j < i ? front : back) += words[j];
-    const auto quantity = quantityNamed(front);
-    if (quantity && !isAmbiguous(front) && quantity == quantityNamed(back)) return quantity;
-  }
-  return {};
+  std::optional<Quantity> quantity;
+  const bool isTwice = isStatedTwice(name, [&](const std::string& front, const std::string& back) {
+    quantity = quantityNamed(front);
+    return quantity && !isAmbiguous(front) && quantity == quantityNamed(back);
+  });
+  return isTwice ? quantity : std::nullopt;
 }
 
 }  // namespace
@@ -297,6 +313,30 @@ bool isOtherLoad(const std::vector<std::string>& words) {
   };
   return isOther(std::accumulate(words.begin(), words.end(), std::string())) ||
          std::ranges::any_of(words, isOther);
+}
+
+bool isForceOfFriction(const std::string& name) {
+  return isOneOf(plainWord(name),
+                 "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
+                 "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
+                 "\u0441\u0438\u043B\u0430\u0442\u0440\u0435\u043D\u0438\u044F "
+                 "s\u00FCrt\u00FCnmekuvveti t\u0159ec\u00EDs\u00EDla "
+                 "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
+                 "fuerzaderozamiento fuerzatangencial");
+}
+
+bool meansForceOfFriction(const std::string& name) {
+  const auto plain = withoutAverage(name);
+  return isForceOfFriction(name) || (plain && isForceOfFriction(*plain)) ||
+         isStatedTwice(name, [](const std::string& front, const std::string& back) {
+           return isForceOfFriction(front) && isForceOfFriction(back);
+         });
+}
+
+std::string stateNamed(const std::string& word, const std::string& unit) {
+  const auto state = stateOfUnit(unit);
+  const bool isNamed = state && quantityNamed(word) && findMeaning(word, unit) == state;
+  return isNamed ? meaningOf(*state) : "";
 }
 
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit) {

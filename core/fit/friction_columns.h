@@ -89,6 +89,17 @@ std::optional<FrictionQuantity> stateOfUnit(const std::string& unit);
 /// force of friction, the shear stress, the modulus of the rubber.
 bool isOtherLoad(const std::vector<std::string>& words);
 
+/// Returns whether a name is that of the force of friction and nothing else.
+bool isForceOfFriction(const std::string& name);
+
+/// Returns whether a name is that of the force of friction, of its mean, or in words and by its
+/// symbol: "Reibkraft F_R".
+bool meansForceOfFriction(const std::string& name);
+
+/// Returns which load, temperature or velocity a name in lower case and a unit are those of, in
+/// words; empty where they are of none.
+std::string stateNamed(const std::string& word, const std::string& unit);
+
 /// Returns the words of a name in letters and digits: "fz", "track" and "mean" of "Fz_track
 /// (mean)".
 std::vector<std::string> nameWords(std::string text);

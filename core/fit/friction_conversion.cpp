@@ -70,7 +70,7 @@ FrictionConversion unscaledConversion(FrictionQuantity quantity, const TextColum
 }  // namespace
 
 bool isPureUnit(std::string_view unit) {
-  return unit.empty() || unit == "1" || unit == "-" || unit == "N/N";
+  return unit.empty() || unit == "1" || unit == "-" || unit == "\u2013" || unit == "N/N";
 }
 
 FrictionConversion findConversion(FrictionQuantity quantity, const TextColumn& column,

@@ -14,6 +14,7 @@
 #include "core/fit/friction_preparation.h"
 #include "core/fit/friction_roles.h"
 #include "core/fit/friction_rows.h"
+#include "core/material/dma_cells.h"
 #include "core/material/temperature_shift.h"
 
 namespace asperity {
@@ -31,13 +32,17 @@ bool hasFriction(const TextBlock& block) {
   return hasVelocity && hasMu;
 }
 
-/// Reads the blocks of a text and prepares their columns.
-TextTable readTable(std::string_view bytes, const std::string& name) {
+/// Reads the blocks of a text and prepares their columns. notes: on how the table was understood.
+TextTable readTable(std::string_view bytes, const std::string& name, std::vector<Message>& notes) {
   TextTableOptions options;
   options.keepsTexts = options.readsCells = true;
   options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
                          "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
+  notes = repeatNames(table, hasFriction, [](const std::string& word, const std::string& unit) {
+    return stateNamed(word.empty() ? meaningOf(Quantity::Temperature) : word, unit);
+  });
+  transposeRows(table, hasFriction, notes);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();
   });
@@ -146,36 +151,40 @@ struct ReadTable {
   FrictionRows rows{};
 };
 
-/// Completes what the lines above a further table state by those above the first one, except for
-/// what its columns give. Throws InputError where they do not tell the tables apart: each has to
-/// state the same loads or temperatures as the first.
-void completeStatements(ReadTable& further, const ReadTable& first, const std::string& name) {
+/// Completes what the lines above a further table state by what holds for the table before it,
+/// except for what its columns give. Throws InputError where they do not tell the tables apart:
+/// each has to state the same loads or temperatures as those before.
+void completeStatements(ReadTable& further, const ReadTable& before, const std::string& name) {
   std::vector<HeaderStatement>& common = further.header.common;
   if (common.empty() || !std::ranges::all_of(common, [&](const HeaderStatement& one) {
-        return first.header.hasCommon(*one.quantity);
+        return before.header.hasCommon(*one.quantity);
       }))
     throw InputError(name, "",
                      message("has several tables of friction, at lines {} and {}; each needs a "
                              "file of its own, or all one table with a column that tells them "
                              "apart, such as temperature or label",
-                             first.block.lines.front(), further.block.lines.front()));
-  for (const HeaderStatement& one : first.header.common)
+                             before.block.lines.front(), further.block.lines.front()));
+  for (const HeaderStatement& one : before.header.common)
     if (!further.header.hasCommon(*one.quantity) && !further.roles.isGiven(*one.quantity))
       common.push_back(one);
 }
 
-/// Reads one table of friction. first: the one before it; null where it is the first one.
-ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* first,
-                  const std::string& name) {
+/// Reads one table of friction. before: the one above it; null where it is the first one. below:
+/// the lines below it that are of all its points as well; those above it precede them.
+ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* before,
+                  const std::vector<TextEntry>& below, const std::string& name) {
   ReadTable one{.block = written};
   unifyUnits(one.block, name);
   one.roles = findRoles(one.block, name);
   refuseUnitsElsewhere({table, written}, one.roles, name);
   one.mark = decimalMark(one.block, table.dialect);
-  one.header = readHeader(
-      one.block.header, one.mark, [&](Quantity quantity) { return one.roles.isGiven(quantity); },
-      name);
-  if (first) completeStatements(one, *first, name);
+  const auto isGiven = [&](Quantity quantity) { return one.roles.isGiven(quantity); };
+  one.header = readHeader(one.block.header, one.mark, isGiven, name);
+  const auto isSaid = [&](Quantity quantity) {
+    return isGiven(quantity) || one.header.hasCommon(quantity);
+  };
+  addBelow(one.header, readHeader(below, one.mark, isSaid, name));
+  if (before) completeStatements(one, *before, name);
   requireQuantities(
       one.block, one.roles, [&](Quantity quantity) { return one.header.hasCommon(quantity); },
       name);
@@ -193,14 +202,18 @@ std::string otherTables(const TextTable& table, const std::vector<const TextBloc
   return lines;
 }
 
-FrictionData readPoints(const TextTable& table, const std::string& name) {
+FrictionData readPoints(const TextTable& table, const std::string& name,
+                        const std::vector<Message>& ofTable) {
   const std::vector<const TextBlock*> ofFriction = tablesOfFriction(table);
   for (const TextBlock& block : table.blocks)
     if (std::ranges::find(ofFriction, &block) == ofFriction.end()) refuseStatements(block, name);
   FrictionData data{name};
   std::vector<ReadTable> tables;
   for (const TextBlock* block : ofFriction) {
-    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(), name));
+    const bool isOnly = ofFriction.size() == 1 && block == &table.blocks.back();
+    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : &tables.back(),
+                             isOnly ? statedBelow(table, stateNamed) : std::vector<TextEntry>{},
+                             name));
     const ReadTable& one = tables.back();
     data.points.insert(data.points.end(), one.rows.points.begin(), one.rows.points.end());
     for (const std::vector<Message>& notes :
@@ -219,6 +232,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
   if (const std::string lines = otherTables(table, ofFriction); !lines.empty())
     data.notes.push_back(message("tables of numbers that are not used: at line {}",
                                  PrintedNumber{shortened(lines)}));
+  data.notes.insert(data.notes.end(), ofTable.begin(), ofTable.end());
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   std::ranges::move(doubtsAbout(table), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
@@ -233,17 +247,20 @@ InputError missingFrictionData() {
 
 bool isFrictionTable(std::string_view bytes) {
   try {
-    const TextTable table = readTable(bytes, {});
+    std::vector<Message> notes;
+    const TextTable table = readTable(bytes, {}, notes);
     if (std::ranges::any_of(table.blocks, hasFriction)) return true;
     // A line above the table may state the velocity, and forces give friction.
-    return table.largest().hasNames() && !readPoints(table, {}).points.empty();
+    return table.largest().hasNames() && !readPoints(table, {}, notes).points.empty();
   } catch (const InputError&) {
     return false;
   }
 }
 
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
-  return readPoints(readTable(bytes, name), name);
+  std::vector<Message> notes;
+  const TextTable table = readTable(bytes, name, notes);
+  return readPoints(table, name, notes);
 }
 
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label) {

@@ -42,8 +42,9 @@ struct FrictionData {
 /// or three (with the error of mu). Units: those of SI with their usual prefixes; km/h; % for
 /// errors (of mu: percentage points where mu is in %, else a share); degrees Celsius or Fahrenheit
 /// if stated. Cells may have units of their own, and those of mu its standard error. Lines above
-/// the table, such as "Temperature: 5 C", hold for all points where no column says otherwise.
-/// label: replaces the file's name.
+/// the table, such as "Temperature: 5 C", hold for all points where no column says otherwise; so do
+/// those below the only table that state a load, a temperature or a velocity and nothing else,
+/// where no line above does. label: replaces the file's name.
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
 

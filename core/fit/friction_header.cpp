@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -71,7 +72,8 @@ bool namesOther(std::string_view text) {
   std::vector<std::string> words = wordsIn(text);
   std::erase(words, "g");  // the unit of a mass
   constexpr WordList kOtherThings(
-      "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
+      "track road air water oil storage store aged ageing aging vulc cure curing mould mold tg "
+      "glass cell "
       "sensor supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness "
       "rebound resil r\u00FCckprall elongation bruchdehn m50 m100 m200 m300 s100 s200 s300 "
       "\u03C3100 \u03C3200 \u03C3300 h\u00E4rte haerte ref tref "
@@ -417,6 +419,22 @@ HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mar
   std::ranges::stable_sort(read.unused, {}, &HeaderStatement::line);
   for (const HeaderStatement& one : read.unused) refuseUnclear(one, read.common, isGiven, name);
   return read;
+}
+
+void addBelow(HeaderStatements& above, HeaderStatements below) {
+  const auto isSaidAbove = [&above](const HeaderStatement& one) {
+    const auto isSame = [&one](const HeaderStatement& other) {
+      const auto quantity = other.quantity ? other.quantity : other.candidate;
+      return quantity && sayTheSame(*quantity, *one.quantity);
+    };
+    return std::ranges::any_of(above.common, isSame) || std::ranges::any_of(above.unused, isSame);
+  };
+  std::vector<HeaderStatement> common;
+  for (HeaderStatement& one : below.common)
+    (isSaidAbove(one) ? below.unused : common).push_back(std::move(one));
+  std::ranges::move(common, std::back_inserter(above.common));
+  std::ranges::move(below.unused, std::back_inserter(above.unused));
+  above.hasTwoLoads |= below.hasTwoLoads;
 }
 
 }  // namespace asperity

@@ -55,4 +55,7 @@ HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mar
                             const std::function<bool(FrictionQuantity)>& isGiven,
                             const std::string& name);
 
+/// Adds what lines below a table state to what those above it state, which precedes.
+void addBelow(HeaderStatements& above, HeaderStatements below);
+
 }  // namespace asperity

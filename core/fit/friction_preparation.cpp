@@ -14,7 +14,9 @@
 #include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/fit/friction_columns.h"
+#include "core/fit/friction_roles.h"
 
 namespace asperity {
 namespace {
@@ -231,12 +233,40 @@ bool namesOtherForce(const TextEntry& entry) {
          });
 }
 
+/// Returns whether a line says that the numbers below it are not friction itself: "COF standard
+/// deviation", "Number of COF measurements", "CoF test: wear depth (\u00B5m)".
+bool namesNumbersOfOtherKind(const TextEntry& entry) {
+  constexpr WordList kOfOtherKind(
+      "std stdev stddev sd sem cv rsd deviation standardabweichung standardfehler abweichung "
+      "streuung "
+      "scatter error errors fehler uncertainty unsicherheit variance varianz number anzahl count "
+      "max "
+      "maximum maximal maximaler min minimum peak spitze static statisch haftreibung breakaway "
+      "initial "
+      "wear verschlei\u00DF depth tiefe amplitude stick difference differenz ratio relative change "
+      "\u00E4nderung");
+  const std::string line = joinEntry(entry, " ");
+  const std::string unit = parseColumnName(line).unit;
+  const bool hasWord = std::ranges::any_of(
+      wordsIn(line), [&](const std::string& word) { return isOneOf(word, kOfOtherKind); });
+  return hasWord || (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit));
+}
+
 /// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
 /// table names it.
 void nameFrictionInStates(TextBlock& block) {
-  const bool hasMu = std::ranges::any_of(block.columns, [](const TextColumn& column) {
+  const auto isMu = [](const TextColumn& column) {
     return findMeaning(column) == FrictionQuantity::Mu;
-  });
+  };
+  // A unit in the cells of the first column names it: "mu;5 \u00B0C;20 \u00B0C" above "1
+  // mm/s;0.6;0.5".
+  TextColumn heads;
+  if (!block.columns.empty() && !block.cells[0].empty())
+    if (const auto quantity = stateOfUnit(block.cells[0].front().unit))
+      heads.name = meaningOf(*quantity);
+  const bool isCorner = !heads.name.empty() && isMu(block.columns.front());
+  const bool hasMu =
+      std::any_of(block.columns.begin() + (isCorner ? 1 : 0), block.columns.end(), isMu);
   const bool hasOtherForce = std::ranges::any_of(block.header, [&block](const TextEntry& entry) {
     return namesOtherForce(entry) && !isLineOfNames(entry, block.columns);
   });
@@ -254,9 +284,18 @@ void nameFrictionInStates(TextBlock& block) {
       if (anyColumn(words, i, kMaxWords, isFriction)) return true;
     return false;
   };
-  if (hasMu || block.columns.size() < 3 || std::ranges::none_of(block.header, namesFriction))
+  const auto isTitle = [&](const TextEntry& entry) {
+    return (entry.key.empty() || entry.value.empty() || namesFriction(entry)) &&
+           !isLineOfNames(entry, block.columns);
+  };
+  if (hasMu || block.columns.size() < 3 ||
+      (!isCorner && std::ranges::none_of(block.header, namesFriction)) ||
+      std::ranges::any_of(block.header, [&](const TextEntry& entry) {
+        return isTitle(entry) && namesNumbersOfOtherKind(entry);
+      }))
     return;
   TextBlock named = block;
+  if (isCorner || named.columns.front().name.empty()) named.columns.front().name = heads.name;
   const auto ofRows = findMeaning(named.columns.front());
   const TextColumn of =
       quantityOfHeads(named.columns.front(), named.header, [ofRows](const TextColumn& column) {

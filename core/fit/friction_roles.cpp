@@ -150,17 +150,14 @@ class FrictionRoleFinder {
   /// friction; beside one it says the same.
   void findFrictionForce() {
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if ((isFrictionInNewtons(block_.columns[i]) ||
-           isOneOf(plainWord(block_.columns[i].name),
-                   "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
-                   "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
-                   "\u0441\u0438\u043B\u0430\u0442\u0440\u0435\u043D\u0438\u044F "
-                   "s\u00FCrt\u00FCnmekuvveti t\u0159ec\u00EDs\u00EDla "
-                   "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
-                   "fuerzaderozamiento fuerzatangencial")) &&
-          !block_.columns[i].isText)
-        found.push_back(i);
+    // "Friction force (N)" precedes "Tangential force Fx (N)".
+    for (const auto isNamed : {isForceOfFriction, meansForceOfFriction}) {
+      if (!found.empty()) break;
+      for (std::size_t i = 0; i < block_.columns.size(); ++i)
+        if ((isFrictionInNewtons(block_.columns[i]) || isNamed(block_.columns[i].name)) &&
+            !block_.columns[i].isText)
+          found.push_back(i);
+    }
     if (found.size() != 1) return;
     const std::size_t index = found.front();
     const TextColumn& column = block_.columns[index];

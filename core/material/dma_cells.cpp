@@ -10,6 +10,7 @@
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
+#include "core/base/text_dialect.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
@@ -94,9 +95,11 @@ std::vector<double> numbersInNames(const TextBlock& block, char decimal) {
 
 /// Returns the table of which each row is a column of this one: names stand in the first column,
 /// and the line of names is a row, too, or numbers the points. Nothing where the table is another
-/// one.
+/// one, or has units of its own in cells.
 std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
   if (block.columns.size() < 3 || !block.columns.front().isText) return {};
+  for (std::size_t i = 1; i < block.columns.size(); ++i)
+    if (!block.columns[i].unit.empty() || !block.cells[i].empty()) return {};
   const std::vector<double> first = numbersInNames(block, decimal);
   if (first.empty()) return {};
   TextBlock made;
@@ -112,6 +115,22 @@ std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
   return made;
 }
 
+/// Returns the lines beside a table with one row for each quantity that are such rows, too, but
+/// have texts: "label;A;B;C".
+std::string rowsOfTexts(const TextTable& table, const TextBlock& block) {
+  std::string rows;
+  for (const std::vector<TextEntry>& entries : {block.header, table.trailer})
+    for (const TextEntry& entry : entries) {
+      const auto fields = splitFields(entry.written, table.dialect.separator);
+      const auto isText = [&table](std::string_view field) {
+        return readField(field, table.dialect.decimal).kind == FieldKind::Text;
+      };
+      if (fields.size() == block.columns.size() && std::ranges::all_of(fields, isText))
+        appendItem(rows, shortened(trimmedField(fields.front())));
+    }
+  return rows;
+}
+
 }  // namespace
 
 void transposeRows(TextTable& table, const std::function<bool(const TextBlock&)>& isTable,
@@ -119,8 +138,10 @@ void transposeRows(TextTable& table, const std::function<bool(const TextBlock&)>
   for (TextBlock& block : table.blocks) {
     auto made = transposed(block, table.dialect.decimal);
     if (!made || !isTable(*made)) continue;
-    block = std::move(*made);
     notes.emplace_back("the table has one row for each quantity, and its columns are the points");
+    if (const std::string rows = rowsOfTexts(table, block); !rows.empty())
+      notes.push_back(message("not used: {}", Message::name(rows)));
+    block = std::move(*made);
   }
 }
 

@@ -41,8 +41,17 @@ class DmaReader {
 
   DmaFile read() {
     std::size_t used = 0;
-    for (const TextBlock& block : table_.blocks) used += readBlock(block) ? 1 : 0;
+    std::string unused;
+    for (const TextBlock& block : table_.blocks) {
+      const bool isRead = readBlock(block);
+      used += isRead ? 1 : 0;
+      if (!isRead && used > 0 && !block.hasNames())
+        appendItem(unused, std::to_string(block.lines.front()));
+    }
     if (used == 0) refuseColumns();
+    if (!unused.empty())
+      addNote(message("tables of numbers that are not used: at line {}",
+                      PrintedNumber{shortened(unused)}));
     if (file_.rows.empty())
       throw InputError(name_, "", "holds no row with a frequency and both moduli");
     refuseDifferentSamples(file_.rows, origins_, name_);
@@ -365,7 +374,8 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 }
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
-  std::vector<Message> ofCells;
+  std::vector<Message> ofCells = repeatNames(table, isSweep, temperatureNamed);
+  moveLinesAbove(table, name);
   joinMatrices(table, ofCells);
   transposeRows(table, isSweep, ofCells);
   separateCells(table, name, ofCells);

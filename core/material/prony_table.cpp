@@ -253,6 +253,7 @@ std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
   RawSeries series;
   transposeRows(table, hasSeriesColumns, series.notes);
   separateCells(table, name, series.notes);
+  moveLinesAbove(table, name);
   TextBlock* const block = largestSeries(table);
   if (!block) return {};
   series.format = "a table of relaxation times and moduli";

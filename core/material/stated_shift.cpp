@@ -11,9 +11,11 @@
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
 #include "core/material/isotherms.h"
+#include "core/material/prony_table.h"
 #include "core/material/stated_temperature.h"
 #include "core/material/temperature_shift.h"
 
@@ -250,6 +252,65 @@ bool statesShift(const TextTable& table) {
   const ShiftConstants constants = shiftConstants(table, {});
   return (constants.c1 && constants.c2) || constants.energy ||
          std::ranges::any_of(table.blocks, isShiftTable);
+}
+
+std::string temperatureNamed(const std::string& name, const std::string& unit) {
+  const bool isNamed = isOneOf(
+      name, "t temp temperature temperatur testtemperature messtemperatur isotherm isotherme");
+  return (name.empty() || isNamed) && temperatureUnit(unit) ? "temperature" : "";
+}
+
+void moveLinesAbove(TextTable& table, const std::string& name) {
+  const auto isOther = [](const TextBlock& block) { return !isShiftTable(block); };
+  TextBlock& block = table.blocks.back();
+  if (!isOther(block) || std::ranges::count_if(table.blocks, isOther) != 1) return;
+  bool hasTemperature = false;
+  const auto quantityOf = [&](const std::string& word, const std::string& unit) {
+    const bool isReference = isOneOf(
+        word, "tref referencetemperature reftemperature referenztemperatur bezugstemperatur");
+    const bool isTemperature = isReference ? temperatureUnit(unit).has_value()
+                                           : !word.empty() && !temperatureNamed(word, unit).empty();
+    hasTemperature = hasTemperature || isTemperature;
+    const bool isConstant =
+        (isOneOf(word, "c1 c\u2081") && unit.empty()) ||
+        (isOneOf(word, "c2 c\u2082") && (unit.empty() || temperatureUnit(unit))) ||
+        (isOneOf(word, "ea eact activationenergy aktivierungsenergie") && unitSize(unit, "J/mol"));
+    const std::string ofSeries = seriesWord(word);
+    const bool isModulus = isEquilibrium(ofSeries) || isInstantaneous(ofSeries);
+    return isTemperature || isConstant || isModulus ? word : std::string();
+  };
+  const std::vector<TextEntry> lines = statedBelow(table, quantityOf);
+  const ShiftConstants above = shiftConstants(table, {});
+  if (above.c1 || above.c2 || above.energy) return;
+  // A line with another temperature or about a shift may change what these mean.
+  const auto isUnclear = [&](const TextEntry& entry) {
+    if (std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end()) return false;
+    const auto stated = parseStatement(joinEntry(entry));
+    return !stated || !isKnownUnit(stated->unit()) || temperatureUnit(stated->unit());
+  };
+  if (std::ranges::any_of(table.trailer, isUnclear)) return;
+  // The lines above the table precede them, and so does the name of the file.
+  const std::size_t linesAbove = block.header.size();
+  const auto agree = [&] {
+    if (!hasTemperature) return true;
+    if (statedTemperature({table, block}, {}, {}, true)) return false;
+    std::ranges::copy(lines, std::back_inserter(block.header));
+    const auto ofName = temperatureInName(name),
+               below = statedTemperature({table, block}, {}, {}, true);
+    block.header.resize(linesAbove);
+    constexpr double kSame = 0.01;  // K
+    return !ofName || (below && std::abs(ofName->kelvin - below->kelvin) < kSame);
+  };
+  try {
+    if (!agree()) return;
+  } catch (const InputError&) {
+    block.header.resize(linesAbove);
+    return;
+  }
+  std::ranges::copy(lines, std::back_inserter(block.header));
+  std::erase_if(table.trailer, [&](const TextEntry& entry) {
+    return std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end();
+  });
 }
 
 StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,

@@ -51,6 +51,17 @@ std::optional<HeaderTemperature> temperatureInName(const std::string& fileName);
 std::optional<double> statedShiftReference(const TextTable& table, const std::string& unit,
                                            bool isOfGlass);
 
+/// Returns "temperature" where a name in lower case, which may be empty, and a unit are those of
+/// the temperature of a test; otherwise an empty text.
+std::string temperatureNamed(const std::string& name, const std::string& unit);
+
+/// Moves the lines below the table of measurements or of a series above it, where a temperature and
+/// a shift are looked for; only those that state a temperature, a constant of a shift or a modulus
+/// of a series and nothing else, and only where the table is the last one, no other table has
+/// measurements, no line above states a temperature as they do, the name of the file states no
+/// other one, and each other line below states another quantity.
+void moveLinesAbove(TextTable& table, const std::string& name);
+
 // ---- The shift, of master curves and Prony series
 
 struct StatedShift {

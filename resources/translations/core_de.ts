@@ -3591,6 +3591,10 @@
         <translation>nicht benutzt: %1</translation>
     </message>
     <message>
+        <source>the rows from line %1 on have the columns of the table above them</source>
+        <translation>die Werte ab Zeile %1 haben die Spalten der Tabelle darüber</translation>
+    </message>
+    <message>
         <source>tables of numbers that are not used: at line %1</source>
         <translation>Tabellen mit Zahlen, die nicht verwendet werden: in Zeile %1</translation>
     </message>
@@ -3821,6 +3825,10 @@
     <message>
         <source>The height %1 (in %2) stands %3 times, far from all others: if it means missing points, they have to be left empty, or surface.outliers has to be set.</source>
         <translation>Die Höhe %1 (in %2) steht %3-mal da, weit von allen anderen: Wenn sie für fehlende Punkte steht, müssen diese leer sein oder surface.outliers gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Words behind the columns are not read: lines %1</source>
+        <translation>Wörter hinter den Spalten werden nicht gelesen: Zeilen %1</translation>
     </message>
     <message>
         <source>Line %1 is left out: it begins with a number but is not a row of the table.</source>

@@ -84,5 +84,40 @@ TEST(TextHeader, ReadsThousandsOfQuantities) {
   EXPECT_EQ(parseQuantity("12 345 N", ',')->unit, "N");
 }
 
+TEST(TextHeader, AUnitMayStandInFrontOfItsNumber) {
+  const TextDialect semicolon{TextDialect::Separator::Semicolon, '.'},
+      comma{TextDialect::Separator::Comma, '.'};
+  EXPECT_EQ(parseEntry({"Temperature;\u00B0C;23", 1}, semicolon).value, "23 \u00B0C");
+  EXPECT_EQ(parseEntry({"Load,[N],50", 1}, comma).value, "50 N");
+  EXPECT_EQ(parseEntry({"Load;50;N", 1}, semicolon).value, "50 N");
+  EXPECT_EQ(parseEntry({"Normal force;N;50", 1}, semicolon).value, "50 N");
+  // A letter may be a name.
+  EXPECT_EQ(parseEntry({"Compound;C;23", 1}, semicolon).value, "C 23");
+  EXPECT_EQ(parseEntry({"Batch,C,12", 1}, comma).value, "C 12");
+  EXPECT_EQ(parseEntry({"Sample;N;50", 1}, semicolon).value, "N 50");
+  EXPECT_EQ(parseEntry({"Material;PA;6", 1}, semicolon).value, "PA 6");
+  EXPECT_EQ(parseEntry({"Test;K;3", 1}, semicolon).value, "K 3");
+  // A spreadsheet quotes a line with commas, and writes the empty cells behind it.
+  const TextEntry quoted = parseEntry({"\"Temperature: 5 \u00B0C\",,", 1}, comma);
+  EXPECT_EQ(quoted.key, "Temperature");
+  EXPECT_EQ(quoted.value, "5 \u00B0C");
+  EXPECT_EQ(parseEntry({"'Load: 5 N',,", 1}, comma).value, "5 N");
+}
+
+TEST(TextHeader, AWordSuchAsAtBelongsToTheNameBeforeIt) {
+  const TextDialect semicolon{TextDialect::Separator::Semicolon, '.'};
+  for (const char* line : {"COF at load (N)", "Coefficient of friction at load (N)"})
+    for (const std::size_t columns : {2, 3, 4})
+      EXPECT_TRUE(splitNames(line, semicolon, columns).empty()) << line << columns;
+  EXPECT_EQ(splitNames("speed COF load (N)", semicolon, 3).size(), 3U);
+  const TextDialect blanks{TextDialect::Separator::Blanks, '.'};
+  EXPECT_EQ(splitNames("speed COF at load (N)", blanks, 2).back(), "COF at load (N)");
+  // Shift factors
+  EXPECT_EQ(splitNames("T (\u00B0C) at", blanks, 2).back(), "at");
+  for (const char* line : {"T (\u00B0C) at bt", "T at bt", "f aT at"})
+    EXPECT_EQ(splitNames(line, blanks, 3).size(), 3U) << line;
+  EXPECT_EQ(splitNames("T (\u00B0C) at bt", semicolon, 3).back(), "bt");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -59,6 +59,7 @@ TEST(TextTableMarks, TakesNoUnitsOfAnotherTable) {
 TEST(TextTableMarks, NamesLinesThatLookLikeRows) {
   EXPECT_THAT(tableOf("x;z\n1;2\n2;3\n3;4.5.6\n").leftOut, ElementsAre(4u));
   EXPECT_THAT(tableOf("x;z\n0;broken\n1;2\n2;3\n").leftOut, ElementsAre(2u));
+  EXPECT_THAT(tableOf("x;z\n0;1;stick\n1;2;slip\n1;2\n2;3\n").leftOut, ElementsAre(2u, 3u));
   EXPECT_TRUE(tableOf("2024-05-01\nx;z\n1;2\n2;3\nRa;0.5\n# 3 um\n").leftOut.empty());
 }
 

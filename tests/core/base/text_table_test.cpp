@@ -621,5 +621,206 @@ TEST(TextTable, ReadsAMillionRowsWithoutLosingAny) {
   }
 }
 
+// ---- As people write them ----------------------------------------------------------------------
+
+TextTableOptions withTexts() {
+  TextTableOptions options;
+  options.keepsTexts = options.readsCells = true;
+  return options;
+}
+
+TEST(TextTable, QuotedNamesMayHaveLineBreaks) {
+  for (const char* end : {"\n", "\r\n"}) {
+    const std::string text = replaced(
+        "\"Position\nx\n[mm]\";\"Loss modulus G\"\"\n[MPa]\";z\n1;2;3\n\n4;5;6\n", "\n", end);
+    const TextBlock block = read(text).largest();
+    EXPECT_EQ(block.columns[0].name, "Position x");
+    EXPECT_EQ(block.columns[0].unit, "mm");
+    EXPECT_EQ(block.columns[1].unit, "MPa");
+    EXPECT_EQ(block.columns[2].name, "z");
+    EXPECT_THAT(block.lines, ElementsAre(5, 7));
+  }
+  EXPECT_THAT(errorOf("\"a\nb\",c\n1,2\n3,x\n5,6\n"), HasSubstr("line 4: 'x'"));
+  // Marks of repetition and of a loss modulus open no text.
+  const TextBlock ditto = read("f;G\"\n1;2\n3;4\n\"\n5;6\n\";\n").blocks.front();
+  EXPECT_EQ(ditto.rows, 2U);
+}
+
+TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
+  for (const char* text : {"x_mm z\n1 2 good\n3 4\n5 6 fine\n7 8 fine, ok\n9 10\n",
+                           "x (mm);z\n1;2;good\n3;4\n5;6;ok, gut\n7;8;ok\n9;10\n",
+                           "x (mm)\tz\n1\t2\tok\n3\t4\n5\t6\tok\n7\t8\tok\n9\t10\n"})
+    for (const TextTableOptions& options : {TextTableOptions{}, withTexts()}) {
+      const TextTable table = read(text, options);
+      ASSERT_EQ(table.blocks.size(), 1U) << text;
+      EXPECT_THAT(table.blocks[0].column(1), ElementsAre(2, 4, 6, 8, 10)) << text;
+      EXPECT_EQ(table.blocks[0].columns[0].unit, "mm") << text;
+      EXPECT_THAT(table.remarks, ElementsAre(2, 4, 5)) << text;
+      EXPECT_EQ(doubtsAbout(table).front().english(),
+                "Words behind the columns are not read: lines 2, 4, 5");
+    }
+  // The last one may be the result of all.
+  for (const char* text :
+       {"x;z\n1;2\n3;4\n5;6;mean\n", "x;z\n1;2\n3;4\n\n5;6;sum\n", "x;z\n1;2\n3;4\n5;6;end\n"}) {
+    const TextTable last = read(text);
+    EXPECT_THAT(last.blocks[0].column(1), ElementsAre(2, 4)) << text;
+    EXPECT_EQ(last.leftOut.size(), 1U) << text;
+    EXPECT_TRUE(last.remarks.empty()) << text;
+  }
+  const TextTable marked = read("x;z\n1;2\n3;4;ok\n5;6;mean\n");
+  EXPECT_THAT(marked.blocks[0].column(1), ElementsAre(2, 4));
+  // A number behind a row is one too many.
+  EXPECT_THAT(errorOf("x;z\n1;2\n3;4;5\n5;6\n7;8\n"), HasSubstr("line 3: has 3 fields"));
+}
+
+TEST(TextTable, WordsThatMayChangeARowAreNotLeftOut) {
+  for (const char* words : {"invalid", "bad", "outlier", "first slip", "T = 60 \u00B0C",
+                            "at 60 \u00B0C", "cm/s", "\u00B1 0.05", "mean", "ok 3"})
+    for (const char* separator : {";", " "}) {
+      const std::string text = replaced(
+          std::string("v mu\n1 0.2\n5 0.9 ") + words + "\n10 0.3\n20 0.4\n", " ", separator);
+      EXPECT_THAT(errorOf(text), HasSubstr("line 3: has ")) << text;
+      // "0.9 cm/s" may be one cell.
+      if (separator == std::string_view(";"))
+        EXPECT_THAT(errorOf(text, withTexts()), HasSubstr("line 3: has ")) << text;
+    }
+  // No row is lost where all have a word behind.
+  for (const char* text : {"v mu load (N)\n1 0.2 50 N\n5 0.9 50 N\n10 0.3 50 N\n",
+                           "v mu\n1 0.2 first\n5 0.9 here\n10 0.3 last\n"})
+    EXPECT_THAT(errorOf(text), HasSubstr("has no rows of numbers")) << text;
+}
+
+TEST(TextTable, QuotedLinesWithNumbersStandAlone) {
+  const TextTable column = read("\"1\n2\n3\n4\n5\"\n");
+  EXPECT_THAT(column.blocks[0].column(0), ElementsAre(2, 3, 4));
+  EXPECT_THAT(column.leftOut, ElementsAre(5));
+  const TextTable width = read("\"Width: 10 mm\nHeight: 5 mm\"\n1;2;3\n4;5;6\n");
+  EXPECT_EQ(width.blocks[0].header.size(), 2U);
+  EXPECT_EQ(width.blocks[0].header[0].key, "\"Width");
+}
+
+TEST(TextTable, CommentsEndRowsOfTablesWithLabelsToo) {
+  const TextTable table = read("v mu\n1 0.5 # ok\n2 0.6 # OK, good\n3 0.7 // fine\n", withTexts());
+  EXPECT_THAT(table.blocks[0].column(1), ElementsAre(0.5, 0.6, 0.7));
+  EXPECT_TRUE(table.remarks.empty());
+  for (const char* words : {"invalid", "stick", "first", "at 60 \u00B0C"})
+    EXPECT_THAT(errorOf(std::string("v mu\n1 0.5\n2 0.6 # ") + words + "\n3 0.7\n", withTexts()),
+                HasSubstr("line 3: has "))
+        << words;
+  const TextTable labels = read("v;mu;sample\n1;0.5;#3\n2;0.6;A # 4\n", withTexts());
+  EXPECT_THAT(labels.blocks[0].texts[2], ElementsAre("#3", "A # 4"));
+  for (const char* separator : {", ", "; ", ";", "\t"}) {
+    const TextTable numbered = read(
+        replaced("v;mu;sample\n1;0.2;# 1\n5;0.9;# 2\n10;0.3;# 3\n", ";", separator), withTexts());
+    EXPECT_THAT(numbered.blocks[0].texts[2], ElementsAre("# 1", "# 2", "# 3")) << separator;
+  }
+}
+
+TEST(TextTable, QuotedNamesMayHaveLinesWithNumbers) {
+  for (const char* first : {"1", "0", "7"}) {
+    const TextBlock block = read(std::string("\"v\n(mm/s)\";\"mu\n5 \u00B0C\";\"mu\n1. run\"\n") +
+                                 first + ";0.5;0.6\n10;0.7;0.8\n")
+                                .largest();
+    ASSERT_EQ(block.columns.size(), 3U);
+    EXPECT_EQ(block.columns[0].name, "v") << first;
+    EXPECT_EQ(block.columns[1].name + " " + block.columns[1].unit, "mu 5 \u00B0C") << first;
+    EXPECT_EQ(block.columns[2].name, "mu 1. run") << first;
+  }
+  // Names of which one cannot be joined are not joined at all.
+  const TextTable other = read("\"v\n(mm/s)\";\"mu\n5\"\n2;0.5\n10;0.7\n");
+  for (const TextColumn& column : other.largest().columns) EXPECT_NE(column.name, "v");
+}
+
+TEST(TextTable, WordsBehindEachRowAreNoColumnOfFriction) {
+  for (const char* rows :
+       {"1;0.5;ok\n10;0.7;ok\n100;0.9;ok\n", "1;0.5;ok\n10;0.7;good\n100;0.9\n"}) {
+    const TextTable table = read(std::string("v (mm/s);mu\n") + rows, withTexts());
+    EXPECT_EQ(table.largest().columns[0].name, "v") << rows;
+    EXPECT_THAT(table.largest().column(1), ElementsAre(0.5, 0.7, 0.9)) << rows;
+    EXPECT_FALSE(table.remarks.empty()) << rows;
+  }
+  const TextTable marked = read("v (mm/s);mu\n1;0.5;ok\n10;0.7;bad\n", withTexts());
+  for (const TextColumn& column : marked.largest().columns) EXPECT_EQ(column.name, "");
+}
+
+TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
+  const TextBlock block = read("v;unit;mu\n1;mm/s;0.5\n10;mm/s;0.6\n", withTexts()).largest();
+  EXPECT_EQ(block.columns[0].unit, "mm/s");
+  EXPECT_EQ(block.columns[2].unit, "");
+  EXPECT_THAT(errorOf("v;unit;mu\n1;mm/s;0.5\n1;m/s;0.6\n", withTexts()),
+              HasSubstr("row 3: column v has the unit m/s here, and mm/s elsewhere"));
+  EXPECT_THAT(errorOf("v;unit;mu\n1;mm/s;0.5\n10;;0.6\n", withTexts()),
+              HasSubstr("row 3: column v has no unit here, and mm/s elsewhere"));
+  EXPECT_THAT(errorOf("v;unit;mu\n1;;0.5\n10;mm/s;0.6\n", withTexts()), HasSubstr("row 2: "));
+  // Behind several columns, units may be those of each.
+  for (const char* text :
+       {"f;G';G'';unit\n1;3;1;Pa\n10;4;2;Pa\n", "v (mm/s);mu;Unit\n1;0.5;A\n10;0.6;A\n",
+        "v (mm/s);mu;Unit\n1;0.5;N\n10;0.6;N\n", "Unit;v;mu\n1;2;3\n4;5;6\n"}) {
+    const TextTable table = read(text, withTexts());
+    for (const TextColumn& column : table.largest().columns)
+      EXPECT_TRUE(column.unit.empty() || column.name == "v") << text;
+  }
+  // A sample may be called K.
+  EXPECT_EQ(read("v;sample;mu\n1;K;0.5\n10;K;0.6\n", withTexts()).largest().columns[0].unit, "");
+}
+
+std::string temperatureIn(const std::string& name, const std::string& unit) {
+  const bool isNamed = name.empty() || name == "t" || name == "temperature";
+  return isNamed && unit == "\u00B0C" ? "temperature" : "";
+}
+
+/// Reads two rows of x and z below a line, other lines, and two rows without names.
+TextTable readTwice(const std::string& above, const std::string& between,
+                    std::vector<Message>& notes, const std::string& names = "x (mm);z") {
+  TextTable table = read(above + "\n" + names + "\n1;2\n3;4\n" + between + "\n5;6\n7;8\n");
+  notes = repeatNames(
+      table, [](const TextBlock& block) { return block.hasNames(); }, temperatureIn);
+  return table;
+}
+
+TEST(TextTable, NamesHoldForRowsBelowAnotherValueOfAQuantity) {
+  for (const char* line : {"T = 20 \u00B0C", "T = 20 \u00B0C;", "\nTemperature: 20 \u00B0C",
+                           "T [\u00B0C] = 20", "---\nT = 20,5 \u00B0C"}) {
+    std::vector<Message> notes;
+    const TextTable table = readTwice("T = 5 \u00B0C", line, notes);
+    ASSERT_EQ(table.blocks.size(), 2U) << line;
+    EXPECT_EQ(table.blocks[1].columns[0].name, "x") << line;
+    EXPECT_EQ(table.blocks[1].columns[1].name, "z") << line;
+    EXPECT_EQ(notes.size(), 1U) << line;
+  }
+}
+
+TEST(TextTable, NamesDoNotHoldBelowOtherLines) {
+  std::vector<Message> notes;
+  for (const char* line :
+       {"Run 2", "----", "T = 20 \u00B0C, z in mm", "z in mm; T = 20 \u00B0C",
+        "WLF: Tref = 20 \u00B0C", "Tref = 20 \u00B0C", "Tg = -60 \u00B0C",
+        "Mean values, T = 5 \u00B0C", "Mittelwert T = 5 \u00B0C", "Fit at 20 \u00B0C",
+        "shift factors, T = 20 \u00B0C", "[1] T = 20 \u00B0C", "T = 20 \u00B0C (mean)",
+        "duration: 5 min", "T = 20", "T = 20 \u00B0C\nMean", "Sum: T = 20 \u00B0C", "T = 5 \u00B0C",
+        "v = 1 mm/s"}) {
+    const TextTable table = readTwice("T = 5 \u00B0C", line, notes);
+    ASSERT_EQ(table.blocks.size(), 2U) << line;
+    EXPECT_NE(table.blocks[1].columns[1].name, "z") << line;
+    EXPECT_TRUE(notes.empty()) << line;
+  }
+  // The first rows have no temperature, or a column of it.
+  EXPECT_EQ(readTwice("", "T = 20 \u00B0C", notes).blocks[1].columns[1].name, "");
+  const TextTable ofColumn =
+      readTwice("T = 5 \u00B0C", "T = 20 \u00B0C", notes, "z;temperature (\u00B0C)");
+  EXPECT_EQ(ofColumn.blocks[1].columns[1].name, "");
+}
+
+TEST(TextTable, LinesBelowATableThatStateAQuantityAlone) {
+  const auto below = [](const std::string& lines) {
+    return statedBelow(read("x (mm);z\n1;2\n3;4\n\n" + lines), temperatureIn).size();
+  };
+  EXPECT_EQ(below("T = 20 \u00B0C\n---\nTemperature;20;\u00B0C\nOperator: A\n"), 2U);
+  EXPECT_EQ(below("Cured: 20 min\nT = 160 \u00B0C\n"), 0U);
+  EXPECT_EQ(below("T = 20\nTest 2: T = 20 \u00B0C\nT: 60 \u00B0C for ageing\n"), 0U);
+  EXPECT_EQ(below("Next test\nT = 20 \u00B0C\n"), 0U);
+  EXPECT_EQ(below("Ageing:\nT = 20 \u00B0C\n"), 0U);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -956,6 +957,195 @@ TEST(FrictionData, ALoadMayBeAPressureAndAVelocityPerHour) {
     EXPECT_NE(errorOf("v (m/s);mu;" + force + " (MPa)\n1;0,5;1\n2;0,6;1\n"), "no error") << force;
   EXPECT_NEAR(parsed("v (m/s);mu;T (deg F)\n1;0,5;68\n2;0,6;68\n").points[0].temperature, 293.15,
               1e-9);
+}
+
+TEST(FrictionData, LinesBelowTheTableAreOfAllPoints) {
+  for (const char* below :
+       {"Temperature: 23 \u00B0C\nLoad: 50 N\n", "Normal force;50;N\nTemperature;\u00B0C;23\n",
+        "Operator: A\nDate: 2024-05-01\nWidth of sample: 20 mm\nLoad: 50 N; T = 23 \u00B0C\n"}) {
+    const FrictionData data = parsed(fmt::format("v (mm/s);mu\n1;0.2\n10;0.35\n\n{}", below));
+    ASSERT_EQ(data.points.size(), 2U) << below;
+    EXPECT_DOUBLE_EQ(data.points[1].temperature, 296.15) << below;
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 50) << below;
+  }
+}
+
+TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
+  for (const char* line : {"T = {} \u00B0C;", "T = {} \u00B0C, dry", "\nSample A, T = {} \u00B0C",
+                           "Load = 50 N\nTemperature: {} \u00B0C"}) {
+    const std::string text =
+        std::string("v (mm/s);mu\n") + line + "\n1;0.6\n10;0.8\n" + line + "\n1;0.5\n10;0.7\n";
+    const FrictionData data = parsed(fmt::format(fmt::runtime(text), 5, 20));
+    ASSERT_EQ(data.points.size(), 4U) << line;
+    EXPECT_DOUBLE_EQ(data.points[0].temperature, 278.15) << line;
+    EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15) << line;
+    EXPECT_DOUBLE_EQ(data.points[3].velocity, 0.01) << line;
+    EXPECT_DOUBLE_EQ(data.points[3].mu, 0.7) << line;
+    const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
+      return note.english().ends_with("have the columns of the table above them");
+    });
+    EXPECT_TRUE(hasNote) << line;
+  }
+}
+
+TEST(FrictionData, TheForceOfFrictionMayHaveItsSymbolBesideIt) {
+  for (const char* name : {"Reibkraft F_R [N]", "Friction force Ff (N)", "Reibungskraft FR [N]",
+                           "tangential force F_t (N)", "mean friction force (N)"}) {
+    const FrictionData data =
+        parsed(fmt::format("v (mm/s);{};Normalkraft F_N [N]\n1;10;50\n10;-20;50\n", name));
+    EXPECT_DOUBLE_EQ(data.points[0].mu, 0.2) << name;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.4) << name;
+  }
+}
+
+/// Rows of velocities or temperatures below loads, velocities or temperatures.
+TEST(FrictionData, HeadsOfColumnsBelowALineThatNamesFriction) {
+  const FrictionData loads = parsed("COF at load (N)\nv (mm/s);5;10\n1;0.5;0.4\n10;0.7;0.6\n");
+  ASSERT_EQ(loads.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(loads.points[2].normalForce, 10);
+  EXPECT_DOUBLE_EQ(loads.points[2].mu, 0.4);
+  const FrictionData corner = parsed(
+      "Coefficient of friction\n;v = 1 mm/s;v = 10 mm/s\n20 \u00B0C;0.5;0.7\n40 "
+      "\u00B0C;0.4;0.6\n");
+  ASSERT_EQ(corner.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(corner.points[1].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(corner.points[1].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(corner.points[2].mu, 0.4);
+  EXPECT_DOUBLE_EQ(corner.points[2].temperature, 313.15);
+  for (const char* text : {"mu;5 \u00B0C;20 \u00B0C\n1 mm/s;0.6;0.5\n10 mm/s;0.8;0.7\n",
+                           "COF;T (\u00B0C);\nv (mm/s);5;20\n1;0.6;0.5\n10;0.8;0.7\n"}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 4U) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.8) << text;
+    EXPECT_DOUBLE_EQ(data.points[2].mu, 0.5) << text;
+    EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15) << text;
+  }
+}
+
+TEST(FrictionData, OneRowForEachQuantity) {
+  const FrictionData data =
+      parsed("v (mm/s);1;10;100\nmu;0.61;0.83;1.12\nsd;0.02;0.03;0.04\nT (\u00B0C);5;20;40\n");
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(data.points[1].mu, 0.83);
+  EXPECT_DOUBLE_EQ(data.points[1].muError, 0.03);
+  EXPECT_DOUBLE_EQ(data.points[2].temperature, 313.15);
+  EXPECT_EQ(data.notes.back().english(),
+            "the table has one row for each quantity, and its columns are the points");
+}
+
+TEST(FrictionData, NamesOfMoreLanguages) {
+  for (const char* text :
+       {"Velocidade (mm/s);Coeficiente de atrito;Desvio padr\u00E3o;For\u00E7a normal (N)\n",
+        "\u6ED1\u52A8\u901F\u5EA6(mm/s);\u6469\u64E6\u7CFB\u6570;\u6807\u51C6\u5DEE;"
+        "\u8F7D\u8377(N)\n",
+        "Hastighet (mm/s);Friktionskoefficient;Standardavvikelse;Normalkraft (N)\n",
+        "Pr\u0119dko\u015B\u0107 po\u015Blizgu (mm/s);Wsp\u00F3\u0142czynnik tarcia;SD;"
+        "Obci\u0105\u017Cenie (N)\n"}) {
+    const FrictionData data = parsed(std::string(text) + "1;0.2;0.01;50\n10;0.35;0.02;50\n");
+    ASSERT_EQ(data.points.size(), 2U) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.35) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].muError, 0.02) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 50) << text;
+  }
+}
+
+TEST(FrictionData, OtherLinesBelowTheTableAreNotUsed) {
+  const std::string rows = "v (mm/s);mu\n1;0.2\n10;0.35\n\n";
+  for (const char* below :
+       {"time (s);wear (mg)\n1;3\n2;4\n\nLoad: 100 N\nTemperature: 60 \u00B0C\n",
+        "[1] T = 40 \u00B0C\n", "Test 2: Load: 10 N\n", "Next test: T = 60 \u00B0C\n", "p = 0.05\n",
+        "T at the end: 25 \u00B0C\n", "end temperature 25 \u00B0C\n", "Load: 50 N (at break)\n",
+        "Storage:\nT = 5 \u00B0C\n", "Vulcanisation: 20 min\nTemperature: 160 \u00B0C\n",
+        "Load cell: 500 N\nLoad: 500 N\n", "Conditioning: 24 h\nT: 70 \u00B0C\n",
+        "Sample 2: T = 60 \u00B0C\nLoad: 50 N\n", "Sample: B\nT = 60 \u00B0C\n",
+        "Time: 20 min\nTemperature: 160 \u00B0C\n", "Temperature: 160 \u00B0C\nTime: 20 min\n"}) {
+    const FrictionData data = parsed(rows + below);
+    ASSERT_EQ(data.points.size(), 2U) << below;
+    EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << below;
+    EXPECT_TRUE(std::isnan(data.points[0].temperature)) << below;
+  }
+  for (const char* below : {"Load: 60 N\n", "Load: 4.000 N\n", "Pressure: 0.1 MPa\n"})
+    EXPECT_DOUBLE_EQ(parsed("Load: 50 N\n" + rows + below).points[0].normalForce, 50) << below;
+  const FrictionData two = parsed(
+      "T = 5 \u00B0C\nv (mm/s);mu\n1;0.2\n10;0.35\n\nT = 20 \u00B0C\nv "
+      "(mm/s);mu\n1;0.1\n10;0.15\n\n"
+      "Load: 50 N\n");
+  ASSERT_EQ(two.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(two.points[2].temperature, 293.15);
+}
+
+TEST(FrictionData, RowsBelowOtherLinesAreNotUsed) {
+  for (const char* between :
+       {"----", "wet", "T = 20 \u00B0C, v in m/s", "Mean values, T = 5 \u00B0C",
+        "WLF: Tref = 20 \u00B0C", "T = 5 \u00B0C", "v = 10 mm/s", "F = 3 N",
+        "v = 10 mm/s; T = 20 \u00B0C"}) {
+    const FrictionData data = parsed(
+        fmt::format("T = 5 \u00B0C\nv (mm/s);mu\n1;0.2\n10;0.35\n{}\n5.5;0.275\n8;0.3\n", between));
+    ASSERT_EQ(data.points.size(), 2U) << between;
+    EXPECT_DOUBLE_EQ(data.points[1].temperature, 278.15) << between;
+    const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
+      return note.english() == "tables of numbers that are not used: at line 6";
+    });
+    EXPECT_TRUE(hasNote) << between;
+  }
+}
+
+TEST(FrictionData, StatesHoldUntilTheNextOne) {
+  const FrictionData data = parsed(
+      "T = 5 \u00B0C\nLoad: 50 N\nv (mm/s);mu\n1;0.6\n10;0.8\nT = 20 \u00B0C\n1;0.5\n10;0.7\n"
+      "Load: 100 N\n1;0.4\n10;0.6\nT = 5 \u00B0C\n1;0.45\n10;0.65\n");
+  ASSERT_EQ(data.points.size(), 8U);
+  EXPECT_DOUBLE_EQ(data.points[2].normalForce, 50);
+  EXPECT_DOUBLE_EQ(data.points[4].normalForce, 100);
+  EXPECT_DOUBLE_EQ(data.points[4].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(data.points[6].normalForce, 100);
+  EXPECT_DOUBLE_EQ(data.points[6].temperature, 278.15);
+}
+
+TEST(FrictionData, NumbersOfOtherKindsInStatesAreNotFriction) {
+  for (const char* corner : {"", "v (mm/s)"})
+    for (const char* title :
+         {"COF standard deviation", "COF max", "Static COF", "Number of COF measurements",
+          "CoF test: wear depth (\u00B5m)", "Stick-slip amplitude of mu", "COF\nstd",
+          "COF\nWear rate (mm3/Nm)"}) {
+      const std::string text =
+          std::string(title) + "\n" + corner + ";5 N;10 N\n1 mm/s;0.05;0.07\n10 mm/s;0.06;0.08\n";
+      EXPECT_NE(errorOf(text), "no error") << text;
+    }
+}
+
+TEST(FrictionData, RowsOfQuantitiesNeedUnitsInTheirNames) {
+  for (const char* text : {"v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nload (N);5 kN;5 kN;10 kN\n",
+                           "Speed (m/s);1 mm/s;2 mm/s;5 mm/s\nmu;0.5;0.7;0.9\n",
+                           "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nmu_error;5 %;5 %;5 %\n"})
+    EXPECT_NE(errorOf(text), "no error") << text;
+  const FrictionData data = parsed(
+      "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nstate;dry;dry;wet\nT (\u00B0C);20;20;40\nlabel;A;B;C\n");
+  EXPECT_EQ(data.points.size(), 3U);
+  const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
+    return note.english().find("label") != std::string::npos;
+  });
+  EXPECT_TRUE(hasNote);
+}
+
+TEST(FrictionData, AColumnOfUnitsOfAnotherColumnIsAskedFor) {
+  EXPECT_THAT(errorOf("v;Einheit;mu;Load;Einheit\n1;mm/s;0.5;5;kN\n10;mm/s;0.6;5;kN\n"),
+              HasSubstr("names 'kN'"));
+  EXPECT_THAT(errorOf("n;v;unit;mu\n1;1;mm/s;0.5\n2;10;mm/s;0.6\n"), HasSubstr("names 'mm/s'"));
+}
+
+TEST(FrictionData, TheExactNameOfTheForceOfFrictionPrecedesOthers) {
+  for (const char* name : {"Tangential force Fx (N)", "mean friction force (N)"}) {
+    const FrictionData data =
+        parsed(fmt::format("{};Friction force (N);Fn (N);v (mm/s)\n5;4;10;1\n6;5;10;10\n", name));
+    EXPECT_DOUBLE_EQ(data.points[0].mu, 0.4) << name;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.5) << name;
+  }
+  EXPECT_DOUBLE_EQ(parsed("v (mm/s);mean mu;median mu\n1;0.2;0.21\n10;0.35;0.36\n").points[1].mu,
+                   0.35);
 }
 
 }  // namespace

@@ -293,11 +293,13 @@ TEST(FrictionHeader, ReadsAListOfNamesAndValues) {
   EXPECT_DOUBLE_EQ(data.points[0].velocity, 1.5e-3);
   EXPECT_THAT(errorOf("Compound;A12\nSlip angle [\u00B0];15\n\nSpeed [km/h];mu\n1;0,3\n10;0,4\n"),
               HasSubstr("line 2: with a slip"));
-  const FrictionData units = parsed(
-      "Parameter;Value;Unit\nLoad;50;N\nTemperature;20;\u00B0C\nTrack length;100;mm\n\n"
-      "v [mm/s];mu\n1;0,3\n10;0,4\n");
-  EXPECT_DOUBLE_EQ(units.points[0].normalForce, 50);
-  EXPECT_DOUBLE_EQ(units.points[0].temperature, 293.15);
+  for (const char* list :
+       {"Parameter;Value;Unit\nLoad;50;N\nTemperature;20;\u00B0C\nTrack length;100;mm\n\n",
+        "Parameter;Unit;Value\nLoad;N;50\nTemperature;\u00B0C;20\nTrack length;mm;100\n\n"}) {
+    const FrictionData units = parsed(std::string(list) + "v [mm/s];mu\n1;0,3\n10;0,4\n");
+    EXPECT_DOUBLE_EQ(units.points[0].normalForce, 50) << list;
+    EXPECT_DOUBLE_EQ(units.points[0].temperature, 293.15) << list;
+  }
   EXPECT_DOUBLE_EQ(
       parsed("Device;LFT 3\nSliding speed [mm/s];10\n\nT (\u00B0C);mu\n5;0,5\n20;0,6\n")
           .points[1]

@@ -283,6 +283,9 @@ TEST(DmaFile, TheNameOfTheFileMayStateTheTemperature) {
               1e-9);
   EXPECT_THROW(readNamed("Swollen at 40 \u00B0C\n" + table, "NR_20C.csv"), InputError);
   EXPECT_THROW(readNamed(table, "NR_aged_70C.csv"), InputError);
+  // The name precedes a line below the table.
+  EXPECT_NEAR(readNamed(table + "T = 60 \u00B0C\n", "NR_20C.csv").rows.front().temperature, 293.15,
+              1e-9);
 }
 
 /// People and word processors write a minus in many ways; a dash between words is none.

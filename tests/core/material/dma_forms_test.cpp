@@ -499,5 +499,54 @@ TEST(DmaForms, ALossFactorInPerCentNeedsItsUnit) {
   expectRow(read("f (Hz);T (C);G' (MPa);tan delta [1]" + rows).rows[0], 293.15, 1, 2e6, 2e7);
 }
 
+TEST(DmaForms, TemperaturesBetweenTheRowsOfOneTable) {
+  const std::string names = "f (Hz);G' (MPa);G'' (MPa)\n";
+  for (const char* end : {"", ";;"}) {
+    const DmaFile file = read(names + "T = 5 \u00B0C" + end + "\n1;3;1\n10;4;2\nT = 20 \u00B0C" +
+                              end + "\n1;2;0.5\n10;3;1\n");
+    ASSERT_EQ(file.rows.size(), 4U) << end;
+    expectRow(file.rows[1], 278.15, 10, 4e6, 2e6);
+    expectRow(file.rows[2], 293.15, 1, 2e6, 0.5e6);
+  }
+  const DmaFile runs = read("T = 5 \u00B0C\n" + names + "1;3;1\n10;4;2\nRun 2\n1;2;0.5\n10;3;1\n");
+  ASSERT_EQ(runs.rows.size(), 2U);
+  EXPECT_THAT(notesOf(runs), Contains("tables of numbers that are not used: at line 6"));
+}
+
+TEST(DmaForms, LinesBelowTheOnlyTableCountAsThoseAboveIt) {
+  const DmaFile file = read(
+      "f (Hz);G' (MPa);G'' (MPa)\n1;3;1\n10;4;2\n\nReference temperature: 20 \u00B0C\n"
+      "C1 = 8.86; C2 = 101.6 K\n");
+  ASSERT_EQ(file.rows.size(), 2U);
+  expectRow(file.rows[0], 293.15, 1, 3e6, 1e6);
+  ASSERT_TRUE(file.shift);
+  EXPECT_DOUBLE_EQ(file.shift->c1, 8.86);
+}
+
+TEST(DmaForms, OtherLinesBelowTheTableStateNoTemperature) {
+  const std::string table = "f (Hz);G' (MPa);G'' (MPa)\n1;3;1\n10;4;2\n\n";
+  for (const char* below :
+       {"Next test: T = 60 \u00B0C\n", "Sample 2: T = 60 \u00B0C\n", "T: 60 \u00B0C for ageing\n",
+        "Next test\nT = 60 \u00B0C\n", "T = 60 \u00B0C\nStorage at 5 \u00B0C\n"})
+    EXPECT_THAT(errorOf(table + below), HasSubstr("temperature: is stated nowhere")) << below;
+  for (const char* below : {"T = 60 \u00B0C\n", "Tref = 60 \u00B0C\nC1 = 8.86; C2 = 101.6 K\n",
+                            "C1 = 8.86; C2 = 101.6 K; fit of another compound\n"}) {
+    const DmaFile file = read("T = 5 \u00B0C\n" + table + below);
+    expectRow(file.rows[0], 278.15, 1, 3e6, 1e6);
+    EXPECT_FALSE(file.shift) << below;
+  }
+}
+
+TEST(DmaForms, RowsBelowOtherLinesAreNotOfTheTable) {
+  for (const char* between :
+       {"WLF: Tref = 20 \u00B0C", "shift factors, Tref = 20 \u00B0C", "Mean values, T = 5 \u00B0C",
+        "T = 20 \u00B0C, f in kHz", "Tg = -60 \u00B0C", "-----"}) {
+    const DmaFile file =
+        read(std::string("T = 5 \u00B0C\nf (Hz);G' (MPa);G'' (MPa)\n1;3;1\n10;4;2\n") + between +
+             "\n8.86;101.6;1\n20;102;2\n");
+    EXPECT_EQ(file.rows.size(), 2U) << between;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -457,5 +457,27 @@ TEST(PronyLines, ShiftFactorsBesideNamedArmsAreRead) {
   }
 }
 
+TEST(PronyTable, TemperatureAndShiftMayStandBelow) {
+  for (const char* end : {"", ";;"}) {
+    const std::string line = std::string(end) + "\n";
+    const auto file = readSeries("tau (s);G (MPa)\n0.1;2\n10;1\n\nG_inf = 1 MPa" + line +
+                                 "Tref = 20 \u00B0C" + line + "C1 = 8.86; C2 = 101.6 K\n");
+    expectSeries(file);
+    EXPECT_NEAR(file->temperature.value_or(0), 293.15, 1e-9);
+    ASSERT_TRUE(file->shift.has_value());
+    EXPECT_DOUBLE_EQ(file->shift->c2, 101.6);
+  }
+}
+
+TEST(PronyTable, TheShiftAboveATablePrecedesOneBelow) {
+  const auto file = readSeries(
+      "G_inf = 1 MPa\nTref = 20 \u00B0C\nC1 = 5\nC2 = 50 K\ntau (s);G (MPa)\n0.1;2\n10;1\n\nC1 = "
+      "10\nC2 = 100 "
+      "K\n");
+  ASSERT_TRUE(file->shift.has_value());
+  EXPECT_DOUBLE_EQ(file->shift->c1, 5);
+  EXPECT_DOUBLE_EQ(file->shift->c2, 50);
+}
+
 }  // namespace
 }  // namespace asperity
