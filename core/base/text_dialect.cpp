@@ -9,7 +9,6 @@
 #include <set>
 #include <system_error>
 
-#include "core/base/text.h"
 #include "core/base/text_cell.h"
 #include "core/base/text_number.h"
 
@@ -366,39 +365,20 @@ void splitFields(std::string_view line, Separator separator,
   }
 }
 
-bool isHarmlessRemark(std::string_view text) {
-  constexpr WordList kHarmless("ok okay good fine gut");
-  std::string words = lowerCase(trimmedField(text));
-  std::ranges::replace(words, ',', ' ');
-  const std::vector<std::string_view> all = splitWords(words);
-  return !all.empty() &&
-         std::ranges::all_of(all, [&](std::string_view word) { return isOneOf(word, kHarmless); });
-}
-
 void splitRow(std::string_view line, const TextDialect& dialect,
-              std::vector<std::string_view>& fields, bool hasLabels) {
+              std::vector<std::string_view>& fields) {
   splitFields(line, dialect.separator, fields);
-  const auto has = [&](FieldKind kind) {
+  const auto hasTexts = [&] {
     return std::ranges::any_of(fields, [&](std::string_view field) {
-      return readField(field, dialect.decimal).kind == kind;
+      return readField(field, dialect.decimal).kind == FieldKind::Text;
     });
   };
-  // "2; # 4" has a label.
-  if (hasLabels && dialect.isExact() && std::ranges::any_of(fields, isComment)) return;
-  // "# ok" is a comment wherever it stands, "#2" only beside numbers alone, and "#N/A" is none.
-  for (const std::string_view after : {" ", ""}) {
-    if (after.empty() && hasLabels) return;
-    std::size_t mark = line.size();
-    for (const std::string_view one : {" #", "\t#", " //", "\t//"})
-      mark = std::min(mark, line.find(std::string(one).append(after)));
-    if (mark >= line.size()) continue;
-    const std::size_t words = std::min(line.find_first_not_of("#/ \t", mark), line.size());
-    const bool isHarmless = !after.empty() && isHarmlessRemark(line.substr(words));
-    if (!isHarmless && (hasLabels || !has(FieldKind::Text))) continue;
-    splitFields(line.substr(0, mark), dialect.separator, fields);
-    if (!has(FieldKind::Text)) return;
-    splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
-  }
+  std::size_t mark = line.size();
+  for (const std::string_view one : {" #", "\t#", " //", "\t//"})
+    mark = std::min(mark, line.find(one));
+  if (mark >= line.size() || !hasTexts()) return;
+  splitFields(line.substr(0, mark), dialect.separator, fields);
+  if (hasTexts()) splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
 }
 
 TextDialect detectDialect(std::string_view text, bool readsCells) {

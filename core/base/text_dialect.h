@@ -51,16 +51,10 @@ inline std::vector<std::string_view> splitWords(std::string_view line) {
   return splitFields(line, TextDialect::Separator::Blanks);
 }
 
-/// Returns whether a text consists of words that change no row behind which they stand, as "ok" or
-/// "fine". Others may: "invalid", "mean", "T = 60 \u00B0C".
-bool isHarmlessRemark(std::string_view text);
-
 /// Replaces `fields` by those of a row of numbers. A comment at its end, a blank with "#" or "//"
-/// and what follows, is left out where the fields in front of it are numbers alone. hasLabels:
-/// whether rows may have texts, such as "#3", so that a blank has to follow the mark, and harmless
-/// words that.
+/// and what follows, is left out where the fields in front of it are numbers alone.
 void splitRow(std::string_view line, const TextDialect& dialect,
-              std::vector<std::string_view>& fields, bool hasLabels = false);
+              std::vector<std::string_view>& fields);
 
 /// Removes the first line with its end from the text, and returns it without the end and the blanks
 /// there.

@@ -280,10 +280,8 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
                                      const std::vector<Field>& first) {
   const std::size_t columns = first.size();
   std::vector<TextColumn> named(columns);
-  // Behind "v;mu;ok" the column without a name is the last one.
-  const bool mayCountRows = first[0].kind == FieldKind::Number &&
-                            (first[0].value == 0 || first[0].value == 1) &&
-                            first.back().kind != FieldKind::Flag;
+  const bool mayCountRows =
+      first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   auto units = std::ranges::find_if(rows, areUnits);
   // The column without a unit may be another one.
@@ -306,6 +304,13 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
   } else if (units != rows.begin()) {
     names = &*(units - 1);
   }
+  // Behind "v;mu" in "1;0.5;ok" the column without a name is the last one.
+  constexpr WordList kOfFlags(
+      "status state quality valid validity flag ok check result remark comment note qualit\u00E4t "
+      "zustand g\u00FCltig bewertung bemerkung kommentar");
+  if (names && first.back().kind == FieldKind::Flag && names->front().empty() &&
+      !isOneOf(lowerCase(names->back()), kOfFlags))
+    names = nullptr;
   for (std::size_t i = 0; i < columns; ++i) {
     if (names != nullptr) {
       const TextColumn name = parseColumnName((*names)[i]);

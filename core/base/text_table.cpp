@@ -156,7 +156,11 @@ void moveListsAbove(TextTable& table) {
   for (std::size_t i = 0; i + 1 < blocks.size();) {
     const auto below = blocks.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     const bool isOfList = isList(blocks[i]) && std::any_of(below, blocks.end(), hasTwoNumbers);
-    if (!isOfList && !isRowOfConditions(blocks[i], *below)) {
+    // A single row may belong to the table above it.
+    const bool hasNamesOfAbove = i > 0 && blocks[i].hasNames() &&
+                                 std::ranges::equal(blocks[i].columns, blocks[i - 1].columns, {},
+                                                    &TextColumn::name, &TextColumn::name);
+    if (!isOfList && (hasNamesOfAbove || !isRowOfConditions(blocks[i], *below))) {
       ++i;
       continue;
     }
@@ -184,7 +188,7 @@ struct StatedClause {
 std::optional<StatedClause> parseStated(std::string_view clause, const StatedQuantity& quantityOf) {
   const std::size_t sign = clause.find_first_of(":=");
   const std::size_t number = sign == clause.npos ? clause.find_first_of("+-0123456789") : sign + 1;
-  if (number == clause.npos) return {};
+  if (number == clause.npos || clause.find_first_of("<>") != clause.npos) return {};
   const auto value = parseQuantity(clause.substr(number));
   const std::string_view key = withoutEnd(clause.substr(0, number), " :=");
   if (!value || (sign == clause.npos && key.size() == number && number > 0)) return {};
@@ -199,25 +203,30 @@ std::optional<StatedClause> parseStated(std::string_view clause, const StatedQua
 /// sample, so that lines below it still are about the table. "Sample: B" may begin another one.
 bool isOfRecord(const TextEntry& entry) {
   constexpr WordList kOfRecord(
-      "operator bediener pr\u00FCfer date datum file datei lab labor width breite length "
-      "l\u00E4nge "
-      "thickness dicke area fl\u00E4che");
+      "operator bediener pr\u00FCfer lab labor width breite length l\u00E4nge thickness dicke area "
+      "fl\u00E4che");
   const std::vector<std::string> words = wordsIn(entry.key);
-  return !entry.value.empty() && entry.value.find('=') == std::string::npos && !words.empty() &&
-         isOneOf(words.front(), kOfRecord);
+  if (entry.value.empty() || entry.value.find('=') != std::string::npos || words.empty())
+    return false;
+  return isOneOf(words.front(), kOfRecord) ||
+         (words.size() == 1 && isOneOf(words.front(), "date datum"));
+}
+
+/// Returns whether a line is about a duration: a temperature beside it is one of curing, ageing or
+/// storing.
+bool isOfDuration(const TextEntry& entry) {
+  const std::string line = joinEntry(entry);
+  const auto stated = parseStatement(line);
+  return (stated && unitSize(stated->unit(), "s")) ||
+         hasOneOf(wordsIn(entry.key), "time zeit uhrzeit dauer duration");
 }
 
 }  // namespace
 
 std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity& quantityOf) {
-  // A temperature beside a duration is one of curing, ageing or storing.
-  const auto statesDuration = [](const TextEntry& entry) {
-    const auto stated = parseStatement(joinEntry(entry));
-    return stated && unitSize(stated->unit(), "s");
-  };
   constexpr std::size_t kMaxLines = 100;
   std::vector<TextEntry> lines;
-  if (table.trailer.size() > kMaxLines || std::ranges::any_of(table.trailer, statesDuration))
+  if (table.trailer.size() > kMaxLines || std::ranges::any_of(table.trailer, isOfDuration))
     return lines;
   for (const TextEntry& entry : table.trailer) {
     if (isDrawn(entry) || isOfRecord(entry)) continue;
@@ -359,16 +368,6 @@ Message unclearMark(char decimal) {
       std::string(1, decimal));
 }
 
-namespace {
-
-std::string listed(const std::vector<std::uint32_t>& lines) {
-  std::string list;
-  for (const std::uint32_t line : lines) appendItem(list, std::to_string(line));
-  return list;
-}
-
-}  // namespace
-
 std::vector<Message> doubtsAbout(const TextTable& table) {
   std::vector<Message> doubts;
   const std::vector<std::uint32_t>& lines = table.leftOut;
@@ -381,9 +380,6 @@ std::vector<Message> doubtsAbout(const TextTable& table) {
         message("{} lines, the first is line {}, are left out: they begin with a number but are "
                 "not rows of the table.",
                 lines.size(), lines.front()));
-  if (!table.remarks.empty())
-    doubts.push_back(message("Words behind the columns are not read: lines {}",
-                             PrintedNumber{shortened(listed(table.remarks))}));
   if (table.dialect.hasThousandsAlone)
     doubts.push_back(message(
         "All numbers of a column have a '{}' before their last three digits and are read as "

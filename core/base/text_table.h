@@ -75,8 +75,6 @@ struct TextTable {
   /// The numbers of lines that look like rows but are not: damaged ones right above or below a
   /// block, and those after the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
-  /// The numbers of the rows behind which stand words that are not read.
-  std::vector<std::uint32_t> remarks{};
 
   /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;

@@ -182,11 +182,7 @@ class TableReader {
     if (isOpen_ && fits()) return append(line);
     if (isOpen_ && isRemark(line)) return keep(line);
     if (isOpen_) refuseAmidRows(line);
-    const bool hadRemark = leaveRemark();
-    if (startsBlock(line)) {
-      if (hadRemark) table_.remarks.push_back(static_cast<std::uint32_t>(line.number));
-      return start(line);
-    }
+    if (startsBlock(line)) return start(line);
     keep(line);
   }
 
@@ -265,8 +261,12 @@ class TableReader {
     return fields;
   }
 
+  /// Splits a line; where labels are kept, "#" belongs to them.
   void split(std::string_view line, std::vector<std::string_view>& fields) const {
-    splitRow(line, table_.dialect, fields, options_.keepsTexts);
+    if (options_.keepsTexts)
+      splitFields(line, table_.dialect.separator, fields);
+    else
+      splitRow(line, table_.dialect, fields);
     if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
   }
 
@@ -305,50 +305,12 @@ class TableReader {
         std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
   }
 
-  static bool isWord(const Field& field) {
-    return field.kind == FieldKind::Text || field.kind == FieldKind::Flag;
-  }
-
-  /// Returns whether all fields behind so many are words that change no row.
-  static bool isHarmless(const std::vector<std::string_view>& fields, std::size_t columns) {
-    return fields.size() > columns && isHarmlessRemark(fields[columns]) &&
-           std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(),
-                       [](std::string_view field) {
-                         return trimmedBlanks(field).empty() || isHarmlessRemark(field);
-                       });
-  }
-
-  /// Returns whether a row has words behind its last column that change nothing.
-  bool hasRemark() const { return isHarmless(fields_, block().columns.size()); }
-
-  /// Leaves out words behind the numbers of a first row, where there are as many names above it and
-  /// numbers below it, which may have such words, too. Returns whether there are some.
-  bool leaveRemark() {
-    const auto isValue = [this](std::string_view field) { return !isWord(read(field)); };
-    const auto begin = std::ranges::find_if_not(fields_, isValue);
-    const auto count = static_cast<std::size_t>(begin - fields_.begin());
-    if (count < 2 || !isHarmless(fields_, count) || isNamed(fields_.size()) || !isNamed(count))
-      return false;
-    const std::vector<std::string_view> next = fieldsOfNextLine();
-    if (next.size() < count ||
-        !std::all_of(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count), isValue) ||
-        (next.size() > count && !isHarmless(next, count)))
-      return false;
-    fields_.resize(count);
-    kinds_.resize(count);
-    cells_.resize(std::min(cells_.size(), count));
-    return true;
-  }
-
   /// Returns whether the fields are a row of the open block.
   bool fits() const {
     const std::vector<TextColumn>& columns = block().columns;
     std::size_t size = fields_.size();
     while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
-    if (size > columns.size()) {
-      if (!hasRemark()) return false;
-      size = columns.size();
-    }
+    if (size > columns.size()) return false;
     for (std::size_t i = size; i < columns.size(); ++i)
       if (!columns[i].isText) return false;
     bool anyValue = false;
@@ -373,7 +335,6 @@ class TableReader {
       std::vector<std::string_view> fields;
       split(line, fields);
       const std::vector<TextColumn>& columns = block().columns;
-      if (isHarmless(fields, columns.size())) fields.resize(columns.size());
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
       if (fields.size() != columns.size()) return false;
@@ -479,8 +440,6 @@ class TableReader {
       if (isThere && kinds_[i].kind == FieldKind::Flag)
         flags_.push_back(block().rows * columns + i);
     }
-    if (fields_.size() > columns && hasRemark())
-      table_.remarks.push_back(static_cast<std::uint32_t>(line.number));
     addRow(line);
   }
 
@@ -707,7 +666,7 @@ void takeUnits(TextBlock& block, const std::string& name) {
                                  : message("column {} has the unit {} here, and {} elsewhere",
                                            column, shortened(*other), shortened(*unit))));
     }
-    numbers.unit = *unit;
+    numbers.unit = withoutBrackets(*unit);
   }
 }
 

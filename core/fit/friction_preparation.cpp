@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -233,23 +234,61 @@ bool namesOtherForce(const TextEntry& entry) {
          });
 }
 
-/// Returns whether a line says that the numbers below it are not friction itself: "COF standard
-/// deviation", "Number of COF measurements", "CoF test: wear depth (\u00B5m)".
-bool namesNumbersOfOtherKind(const TextEntry& entry) {
+/// Returns whether a word says that numbers of friction are those of its scatter, of its extremes,
+/// or of another quantity.
+bool isOfOtherKind(const std::string& word) {
   constexpr WordList kOfOtherKind(
-      "std stdev stddev sd sem cv rsd deviation standardabweichung standardfehler abweichung "
-      "streuung "
-      "scatter error errors fehler uncertainty unsicherheit variance varianz number anzahl count "
-      "max "
-      "maximum maximal maximaler min minimum peak spitze static statisch haftreibung breakaway "
-      "initial "
-      "wear verschlei\u00DF depth tiefe amplitude stick difference differenz ratio relative change "
-      "\u00E4nderung");
-  const std::string line = joinEntry(entry, " ");
-  const std::string unit = parseColumnName(line).unit;
-  const bool hasWord = std::ranges::any_of(
-      wordsIn(line), [&](const std::string& word) { return isOneOf(word, kOfOtherKind); });
-  return hasWord || (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit));
+      "std stdev stddev sd sem cv ci rsd rms deviation standardabweichung standardfehler "
+      "abweichung "
+      "scatter streuung error errors fehler uncertainty unsicherheit variance varianz variation "
+      "range spread spannweite quantile quantil interval intervall konfidenzintervall "
+      "vertrauensbereich repeatability wiederholbarkeit residual residuum number anzahl count max "
+      "maximum maximal maximaler maximale min minimum minimaler peak spitze static statisch "
+      "statische haftreibung breakaway initial wear verschlei\u00DF depth tiefe amplitude stick "
+      "difference differenz delta \u03B4 \u0394 ratio verh\u00E4ltnis relative relativer change "
+      "\u00E4nderung "
+      "slope steigung loss verlust increase zunahme decrease abnahme");
+  return isOneOf(word, kOfOtherKind);
+}
+
+/// Returns whether a line that names friction means its coefficient itself, and not "COF standard
+/// deviation" or "CoF test: wear depth (\u00B5m)". In "COF at max. load" only the first word
+/// counts.
+bool meansFriction(const TextEntry& entry, const std::function<bool(std::string_view)>& isNamed) {
+  const std::string unit = parseColumnName(joinEntry(entry, " ")).unit;
+  if (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit)) return false;
+  const std::string_view line = entry.written;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find_first_of(",;:()|", begin), line.size());
+    const std::string_view clause = line.substr(begin, end - begin);
+    begin = end + 1;
+    if (!isNamed(clause)) continue;
+    const std::vector<std::string> words = wordsIn(clause);
+    std::size_t last = 0;  // beyond the words that say what of friction is meant
+    for (bool wasNamed = false; last < words.size(); ++last) {
+      constexpr WordList kPrepositions(
+          "at bei for f\u00FCr of von vs versus with mit without ohne before vor after nach under "
+          "unter "
+          "over \u00FCber as als on auf in");
+      if (wasNamed && isOneOf(words[last], kPrepositions)) break;
+      wasNamed = wasNamed || isNamed(words[last]) || isOneOf(words[last], "friction reibung");
+    }
+    return std::none_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(last),
+                        isOfOtherKind);
+  }
+  return true;
+}
+
+/// Returns whether a line below one that names friction says of which other kind the numbers are:
+/// "std", "Wear rate (mm3/Nm)", "Statistic: max".
+bool isTitleOfOtherKind(const TextEntry& entry) {
+  const bool isStatement = !entry.key.empty() && !entry.value.empty();
+  const std::string& text = isStatement ? entry.value : entry.written;
+  const std::vector<std::string> words = wordsIn(text);
+  if (words.empty() || (isStatement && text.find_first_of("0123456789") != text.npos)) return false;
+  const std::string unit = parseColumnName(text).unit;
+  return isOfOtherKind(words.front()) || isOfOtherKind(words.back()) ||
+         (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit));
 }
 
 /// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
@@ -276,23 +315,24 @@ void nameFrictionInStates(TextBlock& block) {
     return findMeaning(column) == FrictionQuantity::Mu &&
            !(hasOtherForce && isOneOf(plainWord(column.name), kMayBeForces));
   };
-  const auto namesFriction = [&isFriction](const TextEntry& entry) {
-    const std::string line = joinEntry(entry, " ");
-    const std::vector<std::string_view> words = splitWords(line);
+  const auto isNamed = [&isFriction](std::string_view text) {
+    const std::vector<std::string_view> words = splitWords(text);
     constexpr std::size_t kMaxWords = 3;
     for (std::size_t i = 0; i < words.size(); ++i)
       if (anyColumn(words, i, kMaxWords, isFriction)) return true;
     return false;
   };
-  const auto isTitle = [&](const TextEntry& entry) {
-    return (entry.key.empty() || entry.value.empty() || namesFriction(entry)) &&
-           !isLineOfNames(entry, block.columns);
+  // The line nearest to the table counts.
+  const auto title =
+      std::find_if(block.header.rbegin(), block.header.rend(),
+                   [&](const TextEntry& entry) { return isNamed(joinEntry(entry, " ")); });
+  const bool isTitled = title != block.header.rend();
+  const auto isOther = [&](const TextEntry& entry) {
+    return !isLineOfNames(entry, block.columns) && isTitleOfOtherKind(entry);
   };
-  if (hasMu || block.columns.size() < 3 ||
-      (!isCorner && std::ranges::none_of(block.header, namesFriction)) ||
-      std::ranges::any_of(block.header, [&](const TextEntry& entry) {
-        return isTitle(entry) && namesNumbersOfOtherKind(entry);
-      }))
+  if (hasMu || block.columns.size() < 3 || !(isCorner || isTitled) ||
+      (isTitled &&
+       (!meansFriction(*title, isNamed) || std::any_of(block.header.rbegin(), title, isOther))))
     return;
   TextBlock named = block;
   if (isCorner || named.columns.front().name.empty()) named.columns.front().name = heads.name;

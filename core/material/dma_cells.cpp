@@ -95,22 +95,30 @@ std::vector<double> numbersInNames(const TextBlock& block, char decimal) {
 
 /// Returns the table of which each row is a column of this one: names stand in the first column,
 /// and the line of names is a row, too, or numbers the points. Nothing where the table is another
-/// one, or has units of its own in cells.
+/// one.
 std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
   if (block.columns.size() < 3 || !block.columns.front().isText) return {};
-  for (std::size_t i = 1; i < block.columns.size(); ++i)
-    if (!block.columns[i].unit.empty() || !block.cells[i].empty()) return {};
+  // "v;1 mm/s;2 mm/s"
+  const bool hasUnits =
+      std::ranges::any_of(block.columns.begin() + 1, block.columns.end(),
+                          [](const TextColumn& one) { return !one.unit.empty(); });
   const std::vector<double> first = numbersInNames(block, decimal);
-  if (first.empty()) return {};
+  if (first.empty() || hasUnits) return {};
   TextBlock made;
   made.header = block.header;
   made.rows = first.size();
   made.lines.assign(made.rows, block.lines.front());
+  eraseLinesOfNames(made.header, block.columns);
   made.append({block.columns.front().name, block.columns.front().unit}, first);
   for (std::size_t row = 0; row < block.rows; ++row) {
     std::vector<double> numbers;
     for (std::size_t i = 1; i < block.columns.size(); ++i) numbers.push_back(block.at(row, i));
     made.append(parseColumnName(block.texts.front()[row]), numbers);
+    for (std::size_t i = 1; i < block.columns.size(); ++i) {
+      if (row >= block.cells[i].size() || block.cells[i][row].text.empty()) continue;
+      made.cells.back().resize(made.rows);
+      made.cells.back()[i - 1] = block.cells[i][row];
+    }
   }
   return made;
 }

@@ -3827,10 +3827,6 @@
         <translation>Die Höhe %1 (in %2) steht %3-mal da, weit von allen anderen: Wenn sie für fehlende Punkte steht, müssen diese leer sein oder surface.outliers gesetzt werden.</translation>
     </message>
     <message>
-        <source>Words behind the columns are not read: lines %1</source>
-        <translation>Wörter hinter den Spalten werden nicht gelesen: Zeilen %1</translation>
-    </message>
-    <message>
         <source>Line %1 is left out: it begins with a number but is not a row of the table.</source>
         <translation>Zeile %1 bleibt weg: Sie beginnt mit einer Zahl und ist keine Zeile der Tabelle.</translation>
     </message>

@@ -646,35 +646,8 @@ TEST(TextTable, QuotedNamesMayHaveLineBreaks) {
   EXPECT_EQ(ditto.rows, 2U);
 }
 
-TEST(TextTable, WordsBehindARowAreNoPartOfIt) {
-  for (const char* text : {"x_mm z\n1 2 good\n3 4\n5 6 fine\n7 8 fine, ok\n9 10\n",
-                           "x (mm);z\n1;2;good\n3;4\n5;6;ok, gut\n7;8;ok\n9;10\n",
-                           "x (mm)\tz\n1\t2\tok\n3\t4\n5\t6\tok\n7\t8\tok\n9\t10\n"})
-    for (const TextTableOptions& options : {TextTableOptions{}, withTexts()}) {
-      const TextTable table = read(text, options);
-      ASSERT_EQ(table.blocks.size(), 1U) << text;
-      EXPECT_THAT(table.blocks[0].column(1), ElementsAre(2, 4, 6, 8, 10)) << text;
-      EXPECT_EQ(table.blocks[0].columns[0].unit, "mm") << text;
-      EXPECT_THAT(table.remarks, ElementsAre(2, 4, 5)) << text;
-      EXPECT_EQ(doubtsAbout(table).front().english(),
-                "Words behind the columns are not read: lines 2, 4, 5");
-    }
-  // The last one may be the result of all.
-  for (const char* text :
-       {"x;z\n1;2\n3;4\n5;6;mean\n", "x;z\n1;2\n3;4\n\n5;6;sum\n", "x;z\n1;2\n3;4\n5;6;end\n"}) {
-    const TextTable last = read(text);
-    EXPECT_THAT(last.blocks[0].column(1), ElementsAre(2, 4)) << text;
-    EXPECT_EQ(last.leftOut.size(), 1U) << text;
-    EXPECT_TRUE(last.remarks.empty()) << text;
-  }
-  const TextTable marked = read("x;z\n1;2\n3;4;ok\n5;6;mean\n");
-  EXPECT_THAT(marked.blocks[0].column(1), ElementsAre(2, 4));
-  // A number behind a row is one too many.
-  EXPECT_THAT(errorOf("x;z\n1;2\n3;4;5\n5;6\n7;8\n"), HasSubstr("line 3: has 3 fields"));
-}
-
-TEST(TextTable, WordsThatMayChangeARowAreNotLeftOut) {
-  for (const char* words : {"invalid", "bad", "outlier", "first slip", "T = 60 \u00B0C",
+TEST(TextTable, RowsWithWordsBehindThemAreRefused) {
+  for (const char* words : {"invalid", "bad", "ok", "outlier", "first slip", "T = 60 \u00B0C",
                             "at 60 \u00B0C", "cm/s", "\u00B1 0.05", "mean", "ok 3"})
     for (const char* separator : {";", " "}) {
       const std::string text = replaced(
@@ -699,23 +672,6 @@ TEST(TextTable, QuotedLinesWithNumbersStandAlone) {
   EXPECT_EQ(width.blocks[0].header[0].key, "\"Width");
 }
 
-TEST(TextTable, CommentsEndRowsOfTablesWithLabelsToo) {
-  const TextTable table = read("v mu\n1 0.5 # ok\n2 0.6 # OK, good\n3 0.7 // fine\n", withTexts());
-  EXPECT_THAT(table.blocks[0].column(1), ElementsAre(0.5, 0.6, 0.7));
-  EXPECT_TRUE(table.remarks.empty());
-  for (const char* words : {"invalid", "stick", "first", "at 60 \u00B0C"})
-    EXPECT_THAT(errorOf(std::string("v mu\n1 0.5\n2 0.6 # ") + words + "\n3 0.7\n", withTexts()),
-                HasSubstr("line 3: has "))
-        << words;
-  const TextTable labels = read("v;mu;sample\n1;0.5;#3\n2;0.6;A # 4\n", withTexts());
-  EXPECT_THAT(labels.blocks[0].texts[2], ElementsAre("#3", "A # 4"));
-  for (const char* separator : {", ", "; ", ";", "\t"}) {
-    const TextTable numbered = read(
-        replaced("v;mu;sample\n1;0.2;# 1\n5;0.9;# 2\n10;0.3;# 3\n", ";", separator), withTexts());
-    EXPECT_THAT(numbered.blocks[0].texts[2], ElementsAre("# 1", "# 2", "# 3")) << separator;
-  }
-}
-
 TEST(TextTable, QuotedNamesMayHaveLinesWithNumbers) {
   for (const char* first : {"1", "0", "7"}) {
     const TextBlock block = read(std::string("\"v\n(mm/s)\";\"mu\n5 \u00B0C\";\"mu\n1. run\"\n") +
@@ -729,18 +685,6 @@ TEST(TextTable, QuotedNamesMayHaveLinesWithNumbers) {
   // Names of which one cannot be joined are not joined at all.
   const TextTable other = read("\"v\n(mm/s)\";\"mu\n5\"\n2;0.5\n10;0.7\n");
   for (const TextColumn& column : other.largest().columns) EXPECT_NE(column.name, "v");
-}
-
-TEST(TextTable, WordsBehindEachRowAreNoColumnOfFriction) {
-  for (const char* rows :
-       {"1;0.5;ok\n10;0.7;ok\n100;0.9;ok\n", "1;0.5;ok\n10;0.7;good\n100;0.9\n"}) {
-    const TextTable table = read(std::string("v (mm/s);mu\n") + rows, withTexts());
-    EXPECT_EQ(table.largest().columns[0].name, "v") << rows;
-    EXPECT_THAT(table.largest().column(1), ElementsAre(0.5, 0.7, 0.9)) << rows;
-    EXPECT_FALSE(table.remarks.empty()) << rows;
-  }
-  const TextTable marked = read("v (mm/s);mu\n1;0.5;ok\n10;0.7;bad\n", withTexts());
-  for (const TextColumn& column : marked.largest().columns) EXPECT_EQ(column.name, "");
 }
 
 TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {

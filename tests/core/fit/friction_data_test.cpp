@@ -1056,12 +1056,25 @@ TEST(FrictionData, OtherLinesBelowTheTableAreNotUsed) {
   const std::string rows = "v (mm/s);mu\n1;0.2\n10;0.35\n\n";
   for (const char* below :
        {"time (s);wear (mg)\n1;3\n2;4\n\nLoad: 100 N\nTemperature: 60 \u00B0C\n",
-        "[1] T = 40 \u00B0C\n", "Test 2: Load: 10 N\n", "Next test: T = 60 \u00B0C\n", "p = 0.05\n",
-        "T at the end: 25 \u00B0C\n", "end temperature 25 \u00B0C\n", "Load: 50 N (at break)\n",
-        "Storage:\nT = 5 \u00B0C\n", "Vulcanisation: 20 min\nTemperature: 160 \u00B0C\n",
-        "Load cell: 500 N\nLoad: 500 N\n", "Conditioning: 24 h\nT: 70 \u00B0C\n",
-        "Sample 2: T = 60 \u00B0C\nLoad: 50 N\n", "Sample: B\nT = 60 \u00B0C\n",
-        "Time: 20 min\nTemperature: 160 \u00B0C\n", "Temperature: 160 \u00B0C\nTime: 20 min\n"}) {
+        "[1] T = 40 \u00B0C\n",
+        "Test 2: Load: 10 N\n",
+        "Next test: T = 60 \u00B0C\n",
+        "p = 0.05\n",
+        "T at the end: 25 \u00B0C\n",
+        "end temperature 25 \u00B0C\n",
+        "Load: 50 N (at break)\n",
+        "Storage:\nT = 5 \u00B0C\n",
+        "Vulcanisation: 20 min\nTemperature: 160 \u00B0C\n",
+        "Load cell: 500 N\nLoad: 500 N\n",
+        "Conditioning: 24 h\nT: 70 \u00B0C\n",
+        "Sample 2: T = 60 \u00B0C\nLoad: 50 N\n",
+        "Sample: B\nT = 60 \u00B0C\n",
+        "Time: 20 min\nTemperature: 160 \u00B0C\n",
+        "Temperature: 160 \u00B0C\nTime: 20 min\n",
+        "T = 160 \u00B0C\nDauer: ca. 20 min\n",
+        "T < 20 \u00B0C\n",
+        "Date of cure: 2024-05-01\nT = 60 \u00B0C\n",
+        "File: b.csv\nT = 60 \u00B0C\n"}) {
     const FrictionData data = parsed(rows + below);
     ASSERT_EQ(data.points.size(), 2U) << below;
     EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << below;
@@ -1106,29 +1119,52 @@ TEST(FrictionData, StatesHoldUntilTheNextOne) {
 }
 
 TEST(FrictionData, NumbersOfOtherKindsInStatesAreNotFriction) {
-  for (const char* corner : {"", "v (mm/s)"})
+  for (const char* corner : {"", "v (mm/s)"}) {
+    const std::string table =
+        std::string("\n") + corner + ";5 N;10 N\n1 mm/s;0.05;0.07\n10 mm/s;0.06;0.08\n";
     for (const char* title :
          {"COF standard deviation", "COF max", "Static COF", "Number of COF measurements",
           "CoF test: wear depth (\u00B5m)", "Stick-slip amplitude of mu", "COF\nstd",
-          "COF\nWear rate (mm3/Nm)"}) {
-      const std::string text =
-          std::string(title) + "\n" + corner + ";5 N;10 N\n1 mm/s;0.05;0.07\n10 mm/s;0.06;0.08\n";
-      EXPECT_NE(errorOf(text), "no error") << text;
-    }
+          "COF\nWear rate (mm3/Nm)", "COF range", "Delta COF", "COF 95% CI", "COF, rms\nrms of COF",
+          "COF\nStatistic: max", "COF\nQuantity: standard deviation", "Spannweite der COF"})
+      EXPECT_NE(errorOf(title + table), "no error") << title << table;
+    for (const char* title : {"COF", "COF of compound A, max. speed 10 mm/s", "COF before wear",
+                              "COF without stick-slip", "Reibwert, relative Feuchte 50 %",
+                              "COF\nnumber of runs: 3", "Test number 12\nCOF", "Mean COF (dry)",
+                              "Roughness (\u00B5m)\nCOF", "COF\nPr\u00FCfer Max M\u00FCller"})
+      EXPECT_EQ(errorOf(title + table), "no error") << title << table;
+  }
 }
 
-TEST(FrictionData, RowsOfQuantitiesNeedUnitsInTheirNames) {
-  for (const char* text : {"v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nload (N);5 kN;5 kN;10 kN\n",
-                           "Speed (m/s);1 mm/s;2 mm/s;5 mm/s\nmu;0.5;0.7;0.9\n",
-                           "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nmu_error;5 %;5 %;5 %\n"})
-    EXPECT_NE(errorOf(text), "no error") << text;
-  const FrictionData data = parsed(
+TEST(FrictionData, RowsOfQuantitiesMayHaveUnitsInTheirCells) {
+  const FrictionData units =
+      parsed("v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nload;5 kN;5 kN;10 kN\nmu_error;5 %;5 %;5 %\n");
+  ASSERT_EQ(units.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(units.points[2].normalForce, 10000);
+  EXPECT_DOUBLE_EQ(units.points[2].muError, 0.045);
+  EXPECT_NE(errorOf("Speed (m/s);1 mm/s;2 mm/s;5 mm/s\nmu;0.5;0.7;0.9\n"), "no error");
+  const FrictionData texts = parsed(
       "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nstate;dry;dry;wet\nT (\u00B0C);20;20;40\nlabel;A;B;C\n");
-  EXPECT_EQ(data.points.size(), 3U);
-  const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
+  EXPECT_EQ(texts.points.size(), 3U);
+  const bool hasNote = std::ranges::any_of(texts.notes, [](const Message& note) {
     return note.english().find("label") != std::string::npos;
   });
   EXPECT_TRUE(hasNote);
+}
+
+TEST(FrictionData, ARowOfAnotherStateIsNoneOfConditions) {
+  const FrictionData data = parsed(
+      "T = 5 \u00B0C\nv (mm/s);mu\n1;0.5\n10;0.7\nT = 20 \u00B0C\n1;0.4\n\nwear "
+      "(mm);x\n1;2\n3;4\n");
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15);
+}
+
+TEST(FrictionData, AColumnOfFlagsIsNotFriction) {
+  EXPECT_NE(errorOf("v (mm/s);mu\n1;0.5;ok\n10;0.7;ok\n100;0.9;ok\n"), "no error");
+  const FrictionData data = parsed("v (m/s);mu;status\n1;0.01;0.5;ok\n2;0.1;0.6;ok\n3;1;0.7;ok\n");
+  EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.1);
+  EXPECT_DOUBLE_EQ(data.points[1].mu, 0.6);
 }
 
 TEST(FrictionData, AColumnOfUnitsOfAnotherColumnIsAskedFor) {
