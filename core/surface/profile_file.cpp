@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/surface/profile_header.h"
@@ -155,7 +156,7 @@ class Reader {
     for (std::size_t i = 0; i < names.size(); ++i)
       if (const std::string unit = foreignUnitIn(names[i]); !unit.empty())
         fail(message("row {}: column {} is in '{}'; positions and heights are in metres", row_,
-                     i + 1, unit));
+                     i + 1, shortened(unit)));
   }
 
   double lengthOfPositions() const {

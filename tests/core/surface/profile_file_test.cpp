@@ -113,6 +113,7 @@ TEST(ProfileFile, AUnitThatIsNotMetresIsRefused) {
        {"# tip of 2 um radius", "# 10 mm stylus, 1 mm/s", "# rate (1/s), 4 mm",
         "# asperity: {\"length\":0.02,\"x\":\"mm\",\"y\":1}"})
     EXPECT_EQ(errorOf(std::string(comment) + "\n0;1\n1;2\n2;3\n"), "no error") << comment;
+  EXPECT_LT(errorOf("x (m " + std::string(600, 'y') + " =-6\n1.1\n2\n3\n").size(), 400U);
 }
 
 /// A comma divides columns; where it may as well stand in a number nobody can tell.
