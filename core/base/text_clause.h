@@ -55,8 +55,7 @@ struct WordOfLine {
 
 /// Returns the first unit of no number in the lines above and below a block, as in "v in mm/s" and
 /// "Velocity unit: mm/s", or in a column of units, but not in "at 10 mm/s" nor in the names of the
-/// columns. isUnit: whether
-/// a word is a unit that is meant.
+/// columns. isUnit: whether a word is a unit that is meant.
 std::optional<WordOfLine> unitOfNoNumber(const TextPart& in,
                                          const std::function<bool(const std::string&)>& isUnit);
 

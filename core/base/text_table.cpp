@@ -271,11 +271,13 @@ bool restates(const TextBlock& block, const StatedQuantity& quantityOf,
   bool hasOtherValue = false;
   for (const TextEntry& entry : block.header) {
     if (isDrawn(entry)) continue;
+    Difference difference = Difference::Other;
     const auto same = std::ranges::find_if(above, [&](const TextEntry& one) {
-      return compareLines(one, entry, quantityOf) != Difference::Other;
+      difference = compareLines(one, entry, quantityOf);
+      return difference != Difference::Other;
     });
     if (same == above.end()) return false;
-    hasOtherValue |= compareLines(*same, entry, quantityOf) == Difference::Values;
+    hasOtherValue |= difference == Difference::Values;
     *same = entry;
   }
   return hasOtherValue;

@@ -239,24 +239,29 @@ bool namesOtherForce(const TextEntry& entry) {
 bool isOfOtherKind(const std::string& word) {
   constexpr WordList kOfOtherKind(
       "std stdev stddev sd sem cv ci rsd rms deviation standardabweichung standardfehler "
-      "abweichung "
-      "scatter streuung error errors fehler uncertainty unsicherheit variance varianz variation "
+      "abweichung scatter streuung error errors fehler uncertainty unsicherheit variance varianz "
+      "variation "
       "range spread spannweite quantile quantil interval intervall konfidenzintervall "
       "vertrauensbereich repeatability wiederholbarkeit residual residuum number anzahl count max "
       "maximum maximal maximaler maximale min minimum minimaler peak spitze static statisch "
       "statische haftreibung breakaway initial wear verschlei\u00DF depth tiefe amplitude stick "
       "difference differenz delta \u03B4 \u0394 ratio verh\u00E4ltnis relative relativer change "
-      "\u00E4nderung "
-      "slope steigung loss verlust increase zunahme decrease abnahme");
+      "\u00E4nderung slope steigung loss verlust increase zunahme decrease abnahme");
   return isOneOf(word, kOfOtherKind);
+}
+
+/// Returns whether a text ends with a unit that is neither one of friction nor one of a load, a
+/// temperature or a velocity: "wear depth (\u00B5m)".
+bool hasUnitOfOtherKind(const std::string& text) {
+  const std::string unit = parseColumnName(text).unit;
+  return isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit);
 }
 
 /// Returns whether a line that names friction means its coefficient itself, and not "COF standard
 /// deviation" or "CoF test: wear depth (\u00B5m)". In "COF at max. load" only the first word
 /// counts.
 bool meansFriction(const TextEntry& entry, const std::function<bool(std::string_view)>& isNamed) {
-  const std::string unit = parseColumnName(joinEntry(entry, " ")).unit;
-  if (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit)) return false;
+  if (hasUnitOfOtherKind(joinEntry(entry, " "))) return false;
   const std::string_view line = entry.written;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find_first_of(",;:()|", begin), line.size());
@@ -268,8 +273,7 @@ bool meansFriction(const TextEntry& entry, const std::function<bool(std::string_
     for (bool wasNamed = false; last < words.size(); ++last) {
       constexpr WordList kPrepositions(
           "at bei for f\u00FCr of von vs versus with mit without ohne before vor after nach under "
-          "unter "
-          "over \u00FCber as als on auf in");
+          "unter over \u00FCber as als on auf in");
       if (wasNamed && isOneOf(words[last], kPrepositions)) break;
       wasNamed = wasNamed || isNamed(words[last]) || isOneOf(words[last], "friction reibung");
     }
@@ -286,9 +290,7 @@ bool isTitleOfOtherKind(const TextEntry& entry) {
   const std::string& text = isStatement ? entry.value : entry.written;
   const std::vector<std::string> words = wordsIn(text);
   if (words.empty() || (isStatement && text.find_first_of("0123456789") != text.npos)) return false;
-  const std::string unit = parseColumnName(text).unit;
-  return isOfOtherKind(words.front()) || isOfOtherKind(words.back()) ||
-         (isKnownUnit(unit) && !isPureUnit(unit) && unit != "%" && !stateOfUnit(unit));
+  return isOfOtherKind(words.front()) || isOfOtherKind(words.back()) || hasUnitOfOtherKind(text);
 }
 
 /// Names columns that have a state alone, "5 N" and "10 N", after friction, where a line above the
@@ -299,11 +301,11 @@ void nameFrictionInStates(TextBlock& block) {
   };
   // A unit in the cells of the first column names it: "mu;5 \u00B0C;20 \u00B0C" above "1
   // mm/s;0.6;0.5".
-  TextColumn heads;
+  std::string nameOfRows;
   if (!block.columns.empty() && !block.cells[0].empty())
     if (const auto quantity = stateOfUnit(block.cells[0].front().unit))
-      heads.name = meaningOf(*quantity);
-  const bool isCorner = !heads.name.empty() && isMu(block.columns.front());
+      nameOfRows = meaningOf(*quantity);
+  const bool isCorner = !nameOfRows.empty() && isMu(block.columns.front());
   const bool hasMu =
       std::any_of(block.columns.begin() + (isCorner ? 1 : 0), block.columns.end(), isMu);
   const bool hasOtherForce = std::ranges::any_of(block.header, [&block](const TextEntry& entry) {
@@ -335,7 +337,7 @@ void nameFrictionInStates(TextBlock& block) {
        (!meansFriction(*title, isNamed) || std::any_of(block.header.rbegin(), title, isOther))))
     return;
   TextBlock named = block;
-  if (isCorner || named.columns.front().name.empty()) named.columns.front().name = heads.name;
+  if (isCorner || named.columns.front().name.empty()) named.columns.front().name = nameOfRows;
   const auto ofRows = findMeaning(named.columns.front());
   const TextColumn of =
       quantityOfHeads(named.columns.front(), named.header, [ofRows](const TextColumn& column) {

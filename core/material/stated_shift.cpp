@@ -291,23 +291,23 @@ void moveLinesAbove(TextTable& table, const std::string& name) {
   if (std::ranges::any_of(table.trailer, isUnclear)) return;
   // The lines above the table precede them, and so does the name of the file.
   const std::size_t linesAbove = block.header.size();
-  const auto agree = [&] {
-    if (!hasTemperature) return true;
-    if (statedTemperature({table, block}, {}, {}, true)) return false;
-    std::ranges::copy(lines, std::back_inserter(block.header));
-    const auto ofName = temperatureInName(name),
-               below = statedTemperature({table, block}, {}, {}, true);
-    block.header.resize(linesAbove);
-    constexpr double kSame = 0.01;  // K
-    return !ofName || (below && std::abs(ofName->kelvin - below->kelvin) < kSame);
-  };
+  bool agrees = true;
   try {
-    if (!agree()) return;
+    if (hasTemperature && statedTemperature({table, block}, {}, {}, true)) return;
+    std::ranges::copy(lines, std::back_inserter(block.header));
+    if (hasTemperature) {
+      const auto ofName = temperatureInName(name);
+      const auto below = statedTemperature({table, block}, {}, {}, true);
+      constexpr double kSame = 0.01;  // K
+      agrees = !ofName || (below && std::abs(ofName->kelvin - below->kelvin) < kSame);
+    }
   } catch (const InputError&) {
+    agrees = false;
+  }
+  if (!agrees) {
     block.header.resize(linesAbove);
     return;
   }
-  std::ranges::copy(lines, std::back_inserter(block.header));
   std::erase_if(table.trailer, [&](const TextEntry& entry) {
     return std::ranges::find(lines, entry.line, &TextEntry::line) != lines.end();
   });

@@ -970,6 +970,13 @@ TEST(FrictionData, LinesBelowTheTableAreOfAllPoints) {
   }
 }
 
+/// Returns the notes in English, each between line ends.
+std::string notesOf(const FrictionData& data) {
+  std::string notes = "\n";
+  for (const Message& note : data.notes) notes += note.english() + "\n";
+  return notes;
+}
+
 TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
   for (const char* line : {"T = {} \u00B0C;", "T = {} \u00B0C, dry", "\nSample A, T = {} \u00B0C",
                            "Load = 50 N\nTemperature: {} \u00B0C"}) {
@@ -981,10 +988,7 @@ TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
     EXPECT_DOUBLE_EQ(data.points[2].temperature, 293.15) << line;
     EXPECT_DOUBLE_EQ(data.points[3].velocity, 0.01) << line;
     EXPECT_DOUBLE_EQ(data.points[3].mu, 0.7) << line;
-    const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
-      return note.english().ends_with("have the columns of the table above them");
-    });
-    EXPECT_TRUE(hasNote) << line;
+    EXPECT_THAT(notesOf(data), HasSubstr("have the columns of the table above them\n")) << line;
   }
 }
 
@@ -1099,10 +1103,8 @@ TEST(FrictionData, RowsBelowOtherLinesAreNotUsed) {
         fmt::format("T = 5 \u00B0C\nv (mm/s);mu\n1;0.2\n10;0.35\n{}\n5.5;0.275\n8;0.3\n", between));
     ASSERT_EQ(data.points.size(), 2U) << between;
     EXPECT_DOUBLE_EQ(data.points[1].temperature, 278.15) << between;
-    const bool hasNote = std::ranges::any_of(data.notes, [](const Message& note) {
-      return note.english() == "tables of numbers that are not used: at line 6";
-    });
-    EXPECT_TRUE(hasNote) << between;
+    EXPECT_THAT(notesOf(data), HasSubstr("\ntables of numbers that are not used: at line 6\n"))
+        << between;
   }
 }
 
@@ -1146,10 +1148,7 @@ TEST(FrictionData, RowsOfQuantitiesMayHaveUnitsInTheirCells) {
   const FrictionData texts = parsed(
       "v (mm/s);1;10;100\nmu;0.5;0.7;0.9\nstate;dry;dry;wet\nT (\u00B0C);20;20;40\nlabel;A;B;C\n");
   EXPECT_EQ(texts.points.size(), 3U);
-  const bool hasNote = std::ranges::any_of(texts.notes, [](const Message& note) {
-    return note.english().find("label") != std::string::npos;
-  });
-  EXPECT_TRUE(hasNote);
+  EXPECT_THAT(notesOf(texts), HasSubstr("label"));
 }
 
 TEST(FrictionData, ARowOfAnotherStateIsNoneOfConditions) {
