@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
@@ -192,8 +193,16 @@ void readModuli(const SeriesBlock& in, const SeriesRows& rows) {
     const ModulusKind own = isOwn ? stated.kind : kind;
     const double size =
         stated.unit.empty() ? 1 : modulusSize(stated.unit, in.name, stated.key) / wanted;
-    (stated.isInstantaneous ? in.series.instantaneous : in.series.equilibrium) =
-        stated.number * size * shearFactor(own);
+    double& modulus = stated.isInstantaneous ? in.series.instantaneous : in.series.equilibrium;
+    const double value = stated.number * size * shearFactor(own);
+    // One of shear and one of tension may be stated with a rounded Poisson's ratio.
+    constexpr double kSame = 0.02;
+    if (std::isfinite(modulus) && std::abs(modulus - value) > kSame * std::abs(value))
+      throw InputError(
+          in.name, stated.key,
+          message("is stated twice, with the shear moduli {} and {}; leave one of them out",
+                  printed(modulus * wanted, "Pa"), printed(value * wanted, "Pa")));
+    modulus = value;
     isDivided = isDivided || own == ModulusKind::Tension;
   }
   if (isDivided)

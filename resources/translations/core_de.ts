@@ -4739,6 +4739,10 @@
         <translation>die Kommas der Liste können Dezimalen oder Zahlen trennen; zwischen die Zahlen gehört &quot;; &quot; oder &quot;, &quot;</translation>
     </message>
     <message>
+        <source>is stated twice, with the shear moduli %1 and %2; leave one of them out</source>
+        <translation>steht zweimal da, mit den Schubmoduln %1 und %2; eine der Angaben ist wegzulassen</translation>
+    </message>
+    <message>
         <source>%1 belongs to no arm; write the number of its arm after the name, or leave it out</source>
         <translation>%1 gehört zu keinem Arm; hinter den Namen gehört die Nummer des Arms, oder die Angabe ist wegzulassen</translation>
     </message>

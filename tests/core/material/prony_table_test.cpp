@@ -479,5 +479,16 @@ TEST(PronyTable, TheShiftAboveATablePrecedesOneBelow) {
   EXPECT_DOUBLE_EQ(file->shift->c2, 50);
 }
 
+TEST(PronyTable, RefusesAnEndModulusWithTwoValues) {
+  const std::string arms = "tau (s),G (MPa)\n0.1,2\n10,1\n";
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\n" + arms + "G_inf = 1.2 MPa\n"),
+              HasSubstr("G_inf: is stated twice, with the shear moduli 1 MPa and 1.2 MPa"));
+  EXPECT_THAT(seriesError("G_inf = 2 MPa\ntau (s),G (MPa)\n0.1,2\n10,1\ninf,1\n"),
+              HasSubstr("is stated twice"));
+  EXPECT_THAT(seriesError("G_0 = 4 MPa\nG_0: 5 MPa\n" + arms), HasSubstr("G_0: is stated twice"));
+  // The same value in another unit is no other value.
+  expectSeriesNearly(readSeries("G_inf = 1 MPa\nequilibrium modulus: 1000 kPa\n" + arms));
+}
+
 }  // namespace
 }  // namespace asperity
