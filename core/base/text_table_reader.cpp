@@ -367,8 +367,8 @@ class TableReader {
     addRow(line);
   }
 
-  /// Words such as "invalid" become 0 or 1 in a column of such words; among other numbers they mark
-  /// missing values.
+  /// Words such as "invalid" become 0 or 1 in a column of such words; among other numbers, and in
+  /// tables with labels, where they say nothing about a quantity, they mark missing values.
   void clearFlags() {
     if (flags_.empty()) return;
     TextBlock& last = block();
@@ -379,7 +379,7 @@ class TableReader {
       if (!std::isnan(value) && value != 0 && value != 1) hasNumbers[i % columns] = true;
     }
     for (const std::size_t index : flags_)
-      if (hasNumbers[index % columns])
+      if (hasNumbers[index % columns] || options_.keepsTexts)
         last.values[index] = std::numeric_limits<double>::quiet_NaN();
     flags_.clear();
   }

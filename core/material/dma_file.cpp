@@ -52,8 +52,7 @@ class DmaReader {
     if (!unused.empty())
       addNote(message("tables of numbers that are not used: at line {}",
                       PrintedNumber{shortened(unused)}));
-    if (file_.rows.empty())
-      throw InputError(name_, "", "holds no row with a frequency and both moduli");
+    if (file_.rows.empty()) refuseRows();
     refuseDifferentSamples(file_.rows, origins_, name_);
     return std::move(file_);
   }
@@ -79,6 +78,16 @@ class DmaReader {
                 "delta, or magnitude and phase) among {}; say which they are with "
                 "--frequency-column, --storage-column and --loss-column",
                 list));
+  }
+
+  /// Refuses a file without a row that has all numbers.
+  [[noreturn]] void refuseRows() const {
+    const TextBlock& block = table_.largest();
+    for (std::size_t i = 0; i < block.columns.size(); ++i)
+      if (dmaColumn(block.columns[i]).quantity != None && !block.hasNumber(i))
+        throw InputError(name_, block.label(i),
+                         "has no number in any row; correct the column, or take it out");
+    throw InputError(name_, "", "holds no row with a frequency and both moduli");
   }
 
   /// Refuses a modulus or a compliance over time, G(t) or J(t), and says what is read.

@@ -4739,6 +4739,10 @@
         <translation>die Kommas der Liste können Dezimalen oder Zahlen trennen; zwischen die Zahlen gehört &quot;; &quot; oder &quot;, &quot;</translation>
     </message>
     <message>
+        <source>has no number in any row; correct the column, or take it out</source>
+        <translation>hat in keiner Zeile eine Zahl; die Spalte ist zu berichtigen oder wegzulassen</translation>
+    </message>
+    <message>
         <source>is stated twice, with the shear moduli %1 and %2; leave one of them out</source>
         <translation>steht zweimal da, mit den Schubmoduln %1 und %2; eine der Angaben ist wegzulassen</translation>
     </message>

@@ -1164,6 +1164,10 @@ TEST(FrictionData, AColumnOfFlagsIsNotFriction) {
   const FrictionData data = parsed("v (m/s);mu;status\n1;0.01;0.5;ok\n2;0.1;0.6;ok\n3;1;0.7;ok\n");
   EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.1);
   EXPECT_DOUBLE_EQ(data.points[1].mu, 0.6);
+  for (const char* name : {"sd", "T (C)", "load (N)"})
+    EXPECT_THAT(errorOf(std::string("v (mm/s);mu;") + name + "\n1;0.5;ok\n10;0.6;ok\n"),
+                HasSubstr("is missing in all rows"))
+        << name;
 }
 
 TEST(FrictionData, AColumnOfUnitsOfAnotherColumnIsAskedFor) {

@@ -440,6 +440,11 @@ TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {
   EXPECT_EQ(file.facts.leftOut, 2U);
 }
 
+TEST(DmaFile, WordsAreNoTemperatures) {
+  EXPECT_THAT(errorOf("f (Hz);G' (MPa);G'' (MPa);T (C)\n1;2;0.2;ok\n10;3;0.4;ok\n"),
+              HasSubstr("T: has no number in any row"));
+}
+
 /// What stands in brackets after a modulus is its unit; one that is not known is refused, not
 /// taken for pascals.
 TEST(DmaFile, UnitsInBracketsAreKnownOrRefused) {
