@@ -255,7 +255,15 @@ class DmaReader {
                   "such as --temperature 20C (line {} may be about something else: {})",
                   line->line, Message::name(shortened(line->text))));
     if (table_.blocks.size() == 1) stated = temperatureInName(name_);
-    if (stated) return stated->kelvin;
+    if (stated) {
+      const auto below = temperatureBelow(table_, name_, choices_.temperatureUnit, isReduced);
+      if (below && std::abs(below->kelvin - stated->kelvin) > kIsothermTolerance)
+        throw InputError(name_, "temperature",
+                         message("is {} by the name of the file and {} in line {}; say with "
+                                 "--temperature which is that of the test",
+                                 celsius(stated->kelvin), celsius(below->kelvin), below->line));
+      return stated->kelvin;
+    }
     throw InputError(name_, "temperature",
                      "is stated nowhere; say at which the moduli were measured with "
                      "--temperature, such as --temperature 20C");

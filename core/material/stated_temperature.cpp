@@ -368,4 +368,11 @@ std::optional<HeaderTemperature> statedTemperature(const TextPart& in, const std
   return {};
 }
 
+std::optional<HeaderTemperature> temperatureBelow(const TextTable& table, const std::string& name,
+                                                  const std::string& unit, bool isReduced) {
+  TextTable below;
+  below.blocks.push_back({.header = table.trailer});
+  return statedTemperature({below, below.blocks.front()}, name, unit, isReduced);
+}
+
 }  // namespace asperity

@@ -36,6 +36,10 @@ struct HeaderTemperature {
 std::optional<HeaderTemperature> statedTemperature(const TextPart& in, const std::string& name,
                                                    const std::string& unit, bool isReduced);
 
+/// Returns the temperature that the lines below the last table state as lines above it would.
+std::optional<HeaderTemperature> temperatureBelow(const TextTable& table, const std::string& name,
+                                                  const std::string& unit, bool isReduced);
+
 /// Returns the temperature above a block that statedTemperature does not take for that of the test,
 /// of the first line with one.
 std::optional<HeaderTemperature> distrustedTemperature(const TextPart& in);

@@ -4707,6 +4707,10 @@
         <translation>nennt eine Temperatur von %1 K, bei der kein Gummi gemessen wird; berichtigen, oder die der Prüfung mit --temperature angeben</translation>
     </message>
     <message>
+        <source>is %1 by the name of the file and %2 in line %3; say with --temperature which is that of the test</source>
+        <translation>ist %1 nach dem Namen der Datei und %2 in Zeile %3; --temperature sagt, welche die der Prüfung ist</translation>
+    </message>
+    <message>
         <source>is %1 in line %2 and %3 in line %4; say with --temperature which is that of the test</source>
         <translation>ist %1 in Zeile %2 und %3 in Zeile %4; --temperature sagt, welche die der Prüfung ist</translation>
     </message>

@@ -283,8 +283,10 @@ TEST(DmaFile, TheNameOfTheFileMayStateTheTemperature) {
               1e-9);
   EXPECT_THROW(readNamed("Swollen at 40 \u00B0C\n" + table, "NR_20C.csv"), InputError);
   EXPECT_THROW(readNamed(table, "NR_aged_70C.csv"), InputError);
-  // The name precedes a line below the table.
-  EXPECT_NEAR(readNamed(table + "T = 60 \u00B0C\n", "NR_20C.csv").rows.front().temperature, 293.15,
+  // A line below the table that states another one is a doubt; one that agrees is none.
+  EXPECT_THAT(errorFrom([&] { readNamed(table + "T = 60 \u00B0C\n", "NR_20C.csv"); }),
+              HasSubstr("is 20.0 \u00B0C by the name of the file and 60.0 \u00B0C in line 4"));
+  EXPECT_NEAR(readNamed(table + "T = 20 \u00B0C\n", "NR_20C.csv").rows.front().temperature, 293.15,
               1e-9);
 }
 
