@@ -330,6 +330,7 @@ bool hasNoValues(const Diagram& diagram) {
 
 TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes) {
+  if (axis.isOfNames) return {axis.scale, range, {}, {}, axis.title.text};
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, sparseTicks(range.from, range.to, pixels, size, axis.unit));
