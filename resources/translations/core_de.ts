@@ -439,8 +439,8 @@
         <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen. Ihre Punkte liegen höchstens einen Standardfehler auseinander, der auch die Streuung der Linien enthält; die Summe der Quadrate enthält sie nicht.</translation>
     </message>
     <message>
-        <source>χ² above its least</source>
-        <translation>χ² über dem kleinsten</translation>
+        <source>χ² above its minimum</source>
+        <translation>χ² über dem Minimum</translation>
     </message>
     <message>
         <source>Gaussian foundation, low velocity</source>
