@@ -5844,11 +5844,11 @@
     </message>
     <message>
         <source>Friction over %1 and %2</source>
-        <translation>Reibung über %1 und %2</translation>
+        <translation>Karte der Reibung: %1 und %2</translation>
     </message>
     <message>
         <source>Map over %1 and %2: %3</source>
-        <translation>Karte über %1 und %2: %3</translation>
+        <translation>Karte (%1 und %2): %3</translation>
     </message>
     <message>
         <source>Dashed: borders of the regions I to IV, each read from the friction curve at one value of the other parameter.</source>
