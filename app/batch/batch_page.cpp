@@ -96,30 +96,20 @@ std::string row(const std::string& name, const std::string& value, const std::st
   return fmt::format("<tr><td{}>{}</td><td>{}</td></tr>", title, xmlText(name), xmlText(value));
 }
 
-bool isNumber(const std::string& text) {
-  double number = 0;
-  return readNumber(text, number);
-}
-
 /// Returns a row with a swept parameter, under the name that the window shows for it.
 std::string variedRow(const std::string& key, const std::string& value) {
   const Parameter* parameter = findParameter(key);
   if (!parameter) return row(key, value);
   std::string shown = value;
-  if (isNumber(value)) {
-    shown = inLanguage(value);
-    if (!parameter->unit.empty()) shown += " " + std::string(parameter->unit);
+  constexpr int kDigits = 6;
+  if (double number = 0; readNumber(value, number)) {
+    shown =
+        parameter->unit.empty() ? inLanguage(value) : quantity(number, parameter->unit, kDigits);
   } else if (std::holds_alternative<ChoiceField>(parameter->field)) {
     std::ranges::replace(shown, '_', '-');
     shown = translated(shown);
   }
   return row(translated(parameter->label), shown, key);
-}
-
-/// Returns a value with its error: "0.0239 ± 0.0003".
-std::string withError(double value, double standardError) {
-  const std::string text = shortNumber(value, 4);
-  return std::isfinite(standardError) ? text + " \u00B1 " + shortNumber(standardError, 2) : text;
 }
 
 /// Returns whether the mean has local friction beside that of the deformation.
@@ -141,8 +131,8 @@ std::string readings(const BatchResult& result) {
   if (hasLines)
     name = filled(Words::tr("coefficient of friction, mean of %1 lines"),
                   {std::to_string(shown.realizations)});
-  std::string rows =
-      row(name, beside(withError(shown.mu, shown.muStandardError), shortNumber(result.lineMu, 4)));
+  std::string rows = row(name, beside(numberWithError(shown.mu, shown.muStandardError),
+                                      shortNumber(result.lineMu, 4)));
   if (hasTotal(result))
     rows += row(translated(Message("with local friction")), shortNumber(totalMu(*mean), 4));
   return rows +

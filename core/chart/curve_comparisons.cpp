@@ -32,8 +32,8 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
     return {};
   const Message name(theoryEntry(theory.theory).name);
   return std::ranges::any_of(theory.points, isKnown)
-             ? message("{} is not drawn: it does not apply anywhere on this axis.", name)
-             : message("{} is not drawn: it does not predict this quantity in this scene.", name);
+             ? message("Not drawn: {}, which does not apply anywhere on this axis.", name)
+             : message("Not drawn: {}, which does not predict this quantity in this scene.", name);
 }
 
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle,

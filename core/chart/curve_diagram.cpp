@@ -335,7 +335,12 @@ DiagramSheet curveSheet(const CurveSet& set) {
   // The name of a scene often mentions its friction over velocity.
   const bool isNamed = set.isOfVelocity() && !scene.title.empty();
   sheet.title = isNamed ? Message(scene.title) : chartTitle(set);
-  sheet.subtitle = isNamed ? describeParameters(scene) : describeScene(scene);
+  // A family is drawn without the curve of the scene, whose own value of the key only theories and
+  // measured points have.
+  std::vector<std::string_view> without;
+  if (!set.familyKey.empty() && set.theories.empty() && set.measured.empty())
+    without = {set.familyKey};
+  sheet.subtitle = isNamed ? describeParameters(scene, without) : describeScene(scene, without);
   sheet.diagrams = {curvesDiagram(set)};
   std::vector<Message> notes;
   if (!sheet.diagrams.front().spans.empty())

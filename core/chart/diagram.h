@@ -51,6 +51,7 @@ struct DiagramAxis {
   std::string unit{};  // "m/s"; empty: a pure number
   AxisScale scale = AxisScale::Logarithmic;
   double from = 0, to = 0;  // equal: automatic
+  bool isOfNames = false;   // positions have names above the frame instead of numbers; no ticks
 };
 
 /// A point. One without a position on the axes (not finite, or not positive on a logarithmic axis)

@@ -204,6 +204,26 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   return sheet;
 }
 
+namespace {
+
+/// Ends the axis of a profile above the points beside its lowest one. Its ends may be thousands of
+/// times as high, and the part that tells how well the data determine the parameter would look
+/// flat.
+void limitRise(const std::vector<DiagramPoint>& points, DiagramAxis& axis) {
+  constexpr double kLeastRise = 10, kAboveNeighbours = 4, kMargin = 0.06;
+  if (points.empty()) return;
+  const auto [lowest, highest] = std::ranges::minmax_element(points, {}, &DiagramPoint::y);
+  double beside = lowest->y;
+  if (lowest != points.begin()) beside = std::max(beside, std::prev(lowest)->y);
+  if (std::next(lowest) != points.end()) beside = std::max(beside, std::next(lowest)->y);
+  const double rise = std::max(kLeastRise, kAboveNeighbours * (beside - lowest->y));
+  if (!(highest->y - lowest->y > rise)) return;
+  axis.from = lowest->y - kMargin * rise;
+  axis.to = lowest->y + rise;
+}
+
+}  // namespace
+
 DiagramSheet profileSheet(const Fit& fit) {
   DiagramSheet sheet;
   sheet.title = "What the data say about each parameter";
@@ -217,11 +237,12 @@ DiagramSheet profileSheet(const Fit& fit) {
     const Parameter& row = *findParameter(profile.key);
     Diagram diagram{
         .x = {Message(row.label), std::string(row.unit), profileScale(fit.parameters[k], profile)},
-        .y = {"\u03C7\u00B2 above its least", "", AxisScale::Linear}};
+        .y = {"\u03C7\u00B2 above its minimum", "", AxisScale::Linear}};
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
     for (std::size_t i = 0; i < profile.values.size(); ++i)
       series.points.push_back({profile.values[i], (profile.chiSquared[i] - fit.chiSquared) / unit});
+    limitRise(series.points, diagram.y);
     diagram.series = {std::move(series)};
     DiagramMarker best{
         .label = labelled(fit.parameters[k]), .x = fit.parameters[k].value, .isFixed = true};

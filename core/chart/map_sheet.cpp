@@ -355,9 +355,12 @@ Message mapQuantityTitle(std::string_view quantity) {
 }
 
 DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
-  DiagramSheet sheet{.title = message("Friction over {} and {}", Message(map.x.range.row->label),
-                                      Message(map.y.range.row->label)),
-                     .subtitle = describeScene(map.scene, {map.x.key(), map.y.key()})};
+  const Message x(map.x.range.row->label), y(map.y.range.row->label);
+  const bool isOfFriction = quantity == "mu" || quantity == "exponent";
+  DiagramSheet sheet{
+      .title = isOfFriction ? message("Friction over {} and {}", x, y)
+                            : message("Map over {} and {}: {}", x, y, mapQuantityTitle(quantity)),
+      .subtitle = describeScene(map.scene, {map.x.key(), map.y.key()})};
   Diagram diagram{.x = diagramAxis(map.x), .y = diagramAxis(map.y)};
   const RisingMap rising(map, quantity);
   diagram.field = makeField(rising, diagram, quantity);

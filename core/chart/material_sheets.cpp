@@ -134,10 +134,14 @@ Diagram masterDiagram(const Material& material) {
                   .height = 2};
   addMasterPoints(material, diagram, readStorage, SeriesMark::Circle);
   addMasterPoints(material, diagram, readLoss, SeriesMark::Triangle);
-  diagram.series.push_back(fittedSeries(material, range.from, range.to, readStorage,
-                                        "G\u2032 (\u25CF measured)", SeriesStroke::Solid));
-  diagram.series.push_back(fittedSeries(material, range.from, range.to, readLoss,
-                                        "G\u2033 (\u25B2 measured)", SeriesStroke::Dashed));
+  const bool isMeasured = !material.curve.points.empty();  // a ready Prony series is not
+  const auto addFit = [&](Reading reading, const char* modulus, const char* measured,
+                          SeriesStroke stroke) {
+    diagram.series.push_back(fittedSeries(material, range.from, range.to, reading,
+                                          isMeasured ? measured : modulus, stroke));
+  };
+  addFit(readStorage, "G\u2032", "G\u2032 (\u25CF measured)", SeriesStroke::Solid);
+  addFit(readLoss, "G\u2033", "G\u2033 (\u25B2 measured)", SeriesStroke::Dashed);
   diagram.ramp = temperatureRamp(material);
   return diagram;
 }

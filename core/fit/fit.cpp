@@ -6,8 +6,10 @@
 
 #include "core/base/input_error.h"
 #include "core/base/linear_algebra.h"
+#include "core/base/number_text.h"
 #include "core/fit/fit_errors.h"
 #include "core/fit/fit_objective.h"
+#include "core/scene/parameters.h"
 #include "core/scene/scene_check.h"
 
 namespace asperity {
@@ -185,9 +187,14 @@ class Fitting {
           TemperatureShift{}.c1, TemperatureShift{}.c2));
     for (const FittedParameter& parameter : fit_.parameters) {
       if (fit_.hasFoundPoints && !parameter.isDetermined)
-        fit_.warnings.push_back(message(
-            "{} is not determined by these data: its standard error is {:.2g} in {}", parameter.key,
-            parameter.standardError, parameter.isLogarithmic ? "ln" : "its unit"));
+        fit_.warnings.push_back(
+            parameter.isLogarithmic
+                ? message("{} is not determined by these data: the standard error of its logarithm "
+                          "(ln) is {:.2g}",
+                          parameter.key, parameter.standardError)
+                : message("{} is not determined by these data: its standard error is {}",
+                          parameter.key,
+                          printed(parameter.standardError, findParameter(parameter.key)->unit, 2)));
       if (fit_.hasFoundPoints && parameter.isWidened)
         fit_.notes.push_back(
             message("the sum of squares is not a parabola along {}: its range is where the profile "

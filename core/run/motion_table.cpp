@@ -363,13 +363,13 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   sheet.title = scene.title;
   sheet.subtitle = describeParameters(scene);
   std::vector<Message> notes;
-  if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));
+  if (table.lines.size() > 1) notes.push_back(message("Mean of {} lines.", table.lines.size()));
   if (std::isfinite(table.muError))
-    notes.push_back(message("band: estimated error of elements and time steps, {} in \u03BC",
+    notes.push_back(message("Band: estimated error of elements and time steps, {} in \u03BC.",
                             printed(table.muError, 2)));
   const bool hasGuide = std::ranges::any_of(sheet.diagrams[1].series, &DiagramSeries::isTheory);
   if (hasGuide) notes.push_back(sheet.note);
-  sheet.note = listed(notes);
+  sheet.note = sentences(notes);
   return sheet;
 }
 

@@ -157,8 +157,8 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   addErrorBand(sheet.diagrams[1], turned);
   if (willRelax(scene))
     sheet.note =
-        "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact and a "
-        "small change of velocity, a guide otherwise";
+        "Dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact and a "
+        "small change of velocity, a guide otherwise.";
   DiagramSeries guide{.stroke = SeriesStroke::Dashed, .isTheory = true};
   guide.points = relaxationGuide(scene.sliding, samples);
   if (willRelax(scene))

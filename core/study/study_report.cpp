@@ -10,6 +10,7 @@
 #include "core/base/intervals.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/chart/map_sheet.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
@@ -135,7 +136,8 @@ void addNames(Diagram& diagram, const std::vector<std::string>& names,
     span.shortLabel = shortNames[i];
     diagram.spans.push_back(std::move(span));
   }
-  diagram.x = {"parameter", "", AxisScale::Linear, 0.5, static_cast<double>(names.size()) + 0.5};
+  diagram.x = {"parameter", "", AxisScale::Linear, 0.5, static_cast<double>(names.size()) + 0.5,
+               true};
 }
 
 /// Returns the label of a key, and its symbol.
@@ -144,6 +146,11 @@ std::string keyLabel(const StudyColumn& column) {
 }
 std::string shortLabel(const StudyColumn& column) {
   return std::string(column.row->symbol.empty() ? column.row->label : column.row->symbol);
+}
+
+/// Returns the axis of an output; one that no curve has as a column keeps its name.
+DiagramAxis quantityAxis(std::string_view name) {
+  return {mapQuantityTitle(name), std::string(mapQuantityUnit(name)), AxisScale::Linear};
 }
 
 /// Returns the column of a curve: "mu" of "curve.mu".
@@ -166,7 +173,7 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
   for (const OutputAnalysis& output : analysis.outputs) {
     if (output.indices.empty()) continue;
     Diagram diagram;
-    diagram.title = Message::name(output.name);
+    diagram.title = mapQuantityTitle(output.name);
     addNames(diagram, names, shortNames);
     diagram.y = {"share of the variance", "", AxisScale::Linear};
     DiagramSeries first{
@@ -189,13 +196,13 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
 
 DiagramSheet correlationSheet(const ParameterStudy& study, const StudyAnalysis& analysis) {
   DiagramSheet sheet;
-  sheet.title = "How the results go with the parameters";
+  sheet.title = "Correlation of the results with the parameters";
   sheet.note =
       "Correlation of the values (of the logarithm where a key is varied over it) and of their "
-      "ranks; 1 and -1 mean that the parameter decides alone.";
+      "ranks; 1 and \u22121 mean that the parameter decides alone.";
   for (const OutputAnalysis& output : analysis.outputs) {
     Diagram diagram;
-    diagram.title = Message::name(output.name);
+    diagram.title = mapQuantityTitle(output.name);
     std::vector<std::string> names, shortNames;
     DiagramSeries values{
         .name = "of the values", .mark = SeriesMark::Circle, .stroke = SeriesStroke::None};
@@ -221,14 +228,14 @@ DiagramSheet correlationSheet(const ParameterStudy& study, const StudyAnalysis& 
 
 DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& output) {
   DiagramSheet sheet;
-  sheet.title = message("{} over each parameter", output.name);
+  sheet.title = message("{} over each parameter", mapQuantityTitle(output.name));
   sheet.note =
       "Points: single simulations. Line: mean over all other parameters, with its standard error.";
   for (const ColumnEffect& effect : output.effects) {
     const StudyColumn& column = study.space.column(effect.column);
     Diagram diagram{.x = {Message(column.row->label), std::string(column.row->unit),
                           effect.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear},
-                    .y = {Message::name(output.name), "", AxisScale::Linear}};
+                    .y = quantityAxis(output.name)};
     DiagramSeries single{.name = "single simulations",
                          .mark = SeriesMark::Circle,
                          .stroke = SeriesStroke::None,
@@ -251,13 +258,13 @@ DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& out
 DiagramSheet bandSheet(const ParameterStudy& study, const CurveBand& band) {
   DiagramSheet sheet;
   const Parameter& row = *findParameter(study.base.sweep.key);
-  sheet.title = message("{} with its scatter", columnOf(band));
+  sheet.title = message("{} with its scatter", mapQuantityTitle(columnOf(band)));
   sheet.note = "Bands: from the 5th to the 95th, and from the 25th to the 75th percentile.";
   Diagram diagram;
   const bool isLogarithmic = study.base.sweep.scale == SweepScale::Logarithmic;
   diagram.x = {Message(row.label), std::string(row.unit),
                isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
-  diagram.y = {Message::name(columnOf(band)), "", AxisScale::Linear};
+  diagram.y = quantityAxis(columnOf(band));
   const auto series = [&](const Message& name, std::size_t low, std::size_t high, bool isBand) {
     DiagramSeries one{.name = name, .isBand = isBand, .colour = 0};
     if (isBand) one.stroke = SeriesStroke::None;

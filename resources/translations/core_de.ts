@@ -219,8 +219,12 @@
         <translation>%1 endet an seiner Grenze; der beste Wert liegt vielleicht dahinter</translation>
     </message>
     <message>
-        <source>%1 is not determined by these data: its standard error is %2 in %3</source>
-        <translation>%1 wird von diesen Daten nicht bestimmt: der Standardfehler ist %2 in %3</translation>
+        <source>%1 is not determined by these data: its standard error is %2</source>
+        <translation>%1 wird von diesen Daten nicht bestimmt: sein Standardfehler ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not determined by these data: the standard error of its logarithm (ln) is %2</source>
+        <translation>%1 wird von diesen Daten nicht bestimmt: der Standardfehler des Logarithmus (ln) ist %2</translation>
     </message>
     <message>
         <source>%1 points do not determine %2 parameters; more points than parameters are needed</source>
@@ -435,8 +439,8 @@
         <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen. Ihre Punkte liegen höchstens einen Standardfehler auseinander, der auch die Streuung der Linien enthält; die Summe der Quadrate enthält sie nicht.</translation>
     </message>
     <message>
-        <source>χ² above its least</source>
-        <translation>χ² über dem kleinsten</translation>
+        <source>χ² above its minimum</source>
+        <translation>χ² über dem Minimum</translation>
     </message>
     <message>
         <source>Gaussian foundation, low velocity</source>
@@ -2291,12 +2295,12 @@
         <translation>Exponent n des Maximums ∝ gradⁿ, zwanzig Abstände</translation>
     </message>
     <message>
-        <source>mean of %1 lines</source>
-        <translation>Mittel aus %1 Linien</translation>
+        <source>Mean of %1 lines.</source>
+        <translation>Mittel aus %1 Linien.</translation>
     </message>
     <message>
-        <source>band: estimated error of elements and time steps, %1 in μ</source>
-        <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ</translation>
+        <source>Band: estimated error of elements and time steps, %1 in μ.</source>
+        <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ.</translation>
     </message>
     <message>
         <source>friction μ, deformation alone</source>
@@ -2759,8 +2763,8 @@
         <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
     </message>
     <message>
-        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact and a small change of velocity, a guide otherwise</source>
-        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt und eine kleine Änderung der Geschwindigkeit, sonst ein Anhalt</translation>
+        <source>Dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact and a small change of velocity, a guide otherwise.</source>
+        <translation>Gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt und eine kleine Änderung der Geschwindigkeit, sonst ein Anhalt.</translation>
     </message>
     <message>
         <source>%1 lines</source>
@@ -3507,12 +3511,12 @@
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>%1 is not drawn: it does not apply anywhere on this axis.</source>
-        <translation>%1 ist nicht gezeichnet: die Theorie gilt nirgends auf dieser Achse.</translation>
+        <source>Not drawn: %1, which does not apply anywhere on this axis.</source>
+        <translation>Nicht gezeichnet: %1. Die Theorie gilt nirgends auf dieser Achse.</translation>
     </message>
     <message>
-        <source>%1 is not drawn: it does not predict this quantity in this scene.</source>
-        <translation>%1 ist nicht gezeichnet: die Theorie sagt diese Größe in dieser Szene nicht voraus.</translation>
+        <source>Not drawn: %1, which does not predict this quantity in this scene.</source>
+        <translation>Nicht gezeichnet: %1. Die Theorie sagt diese Größe in dieser Szene nicht voraus.</translation>
     </message>
     <message>
         <source>%1 tables are more than %2</source>
@@ -5852,7 +5856,11 @@
     </message>
     <message>
         <source>Friction over %1 and %2</source>
-        <translation>Reibung über %1 und %2</translation>
+        <translation>Karte der Reibung: %1 und %2</translation>
+    </message>
+    <message>
+        <source>Map over %1 and %2: %3</source>
+        <translation>Karte (%1 und %2): %3</translation>
     </message>
     <message>
         <source>Dashed: borders of the regions I to IV, each read from the friction curve at one value of the other parameter.</source>
@@ -6363,12 +6371,12 @@
         <translation>25 % bis 75 %</translation>
     </message>
     <message>
-        <source>How the results go with the parameters</source>
-        <translation>Wie die Ergebnisse mit den Parametern gehen</translation>
+        <source>Correlation of the results with the parameters</source>
+        <translation>Korrelation der Ergebnisse mit den Parametern</translation>
     </message>
     <message>
-        <source>Correlation of the values (of the logarithm where a key is varied over it) and of their ranks; 1 and -1 mean that the parameter decides alone.</source>
-        <translation>Korrelation der Werte (des Logarithmus, wo ein Schlüssel über ihn variiert) und ihrer Ränge; 1 und -1 heißen, dass der Parameter allein entscheidet.</translation>
+        <source>Correlation of the values (of the logarithm where a key is varied over it) and of their ranks; 1 and −1 mean that the parameter decides alone.</source>
+        <translation>Korrelation der Werte (des Logarithmus, wo ein Schlüssel über ihn variiert wird) und ihrer Ränge; 1 und −1 heißen, dass der Parameter allein entscheidet.</translation>
     </message>
     <message>
         <source>of the values</source>

@@ -1,6 +1,7 @@
 #include "ui/chart/diagram_axes.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -273,6 +274,10 @@ std::string trailingSymbol(const std::string& name) {
   if (name.find("\u00B0", std::min(space, name.size())) != name.npos) return {};  // a temperature
   if (space == name.npos) return {};
   const std::string last = name.substr(space + 1);
+  // A word of two letters, as at the end of a user's own title, is no symbol.
+  if (last.size() == 2 &&
+      std::ranges::all_of(last, [](unsigned char c) { return std::isalpha(c) != 0; }))
+    return {};
   return std::ranges::count_if(last, beginsCharacter) <= kLongest ? last : "";
 }
 
@@ -330,6 +335,7 @@ bool hasNoValues(const Diagram& diagram) {
 
 TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes) {
+  if (axis.isOfNames) return {axis.scale, range, {}, {}, axis.title.text};
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, sparseTicks(range.from, range.to, pixels, size, axis.unit));

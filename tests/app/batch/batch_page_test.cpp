@@ -40,6 +40,21 @@ TEST(ContactSheets, ProportionsAreThoseOfThePictures) {
   EXPECT_NEAR(static_cast<double>(tall.cellHeight()) / tall.cellWidth(), 20, 1);
 }
 
+/// As in the pictures and in the window.
+TEST(BatchPage, ValuesHaveTheNotationOfPictures) {
+  BatchResult result;
+  result.item.name = "a";
+  result.item.varied = {{"load.normal_force", "0.001"}, {"elastomer.temperature", "298.15"}};
+  result.mean.emplace();
+  result.mean->mu = 0.019143815;
+  result.mean->muStandardError = 0.0025359;
+  result.mean->realizations = 3;
+  result.files = {"a.png"};
+  const std::string page = batchPage({}, {result}, {});
+  for (const char* text : {"<td>1 mN</td>", "<td>298.15 K</td>", "<td>0.0191 \u00B1 0.0025 ("})
+    EXPECT_NE(page.find(text), std::string::npos) << text << " in\n" << page;
+}
+
 TEST(ContactSheets, NamesOfSheetsAreKnown) {
   const ContactSheets many(700, 960, 900);
   EXPECT_GT(many.sheets(), 2);

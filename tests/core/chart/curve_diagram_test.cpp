@@ -273,7 +273,8 @@ TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
   set.y = CurveQuantity::Indentation;
   EXPECT_EQ(curveSheet(set).diagrams.front().series.size(), 1U);
   EXPECT_THAT(curveSheet(set).note.english(),
-              testing::HasSubstr("low velocity is not drawn: it does not predict this"));
+              testing::HasSubstr(
+                  "Not drawn: Gaussian foundation, low velocity, which does not predict this"));
 }
 
 /// Measured friction over force: rows of the scene's own velocity, and a note about the others.
@@ -553,6 +554,11 @@ TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
   }
   const Diagram few = curveSheet(set).diagrams.front();
   EXPECT_FALSE(few.ramp);
+  // No curve has the value of the scene, but a theory would have it.
+  EXPECT_THAT(curveSheet(set).subtitle.english(), testing::Not(testing::HasSubstr("F\u2099")));
+  CurveSet withTheory = set;
+  withTheory.theories.emplace_back();
+  EXPECT_THAT(curveSheet(withTheory).subtitle.english(), testing::HasSubstr("F\u2099"));
   // The own curve is not one of them, and no region is its alone.
   EXPECT_EQ(few.series.size(), 5U);
   EXPECT_TRUE(few.spans.empty());

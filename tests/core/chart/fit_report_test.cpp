@@ -64,6 +64,19 @@ TEST(FitReport, ItsTableHasTheForceOfANominalPressure) {
                                                        testing::HasSubstr("\n0.1,3,,")));
 }
 
+/// The flanks of a profile that are far steeper than its bottom are cut, those of a parabola are
+/// not.
+TEST(FitReport, TheBottomOfAProfileIsSeen) {
+  Fit fit;
+  fit.parameters.resize(1);
+  fit.parameters[0].key = "surface.rms_height";
+  fit.profiles = {{"surface.rms_height", {1e-7, 2e-7, 3e-7, 4e-7, 5e-7}, {1300, 1, 0, 2, 6000}}};
+  EXPECT_EQ(profileSheet(fit).diagrams.at(0).y.to, 10);
+  fit.profiles[0].chiSquared = {16, 4, 0, 4, 16};
+  const DiagramAxis parabola = profileSheet(fit).diagrams.at(0).y;
+  EXPECT_EQ(parabola.from, parabola.to);
+}
+
 /// In the notation of the window.
 TEST(FitReport, NamesTheSumOfSquaresByItsSign) {
   Fit fit;

@@ -64,5 +64,21 @@ TEST(MaterialSheets, TheLossTangentIsLogarithmicWhereItHasDecades) {
             AxisScale::Logarithmic);
 }
 
+/// A ready Prony series has no points, which its legend would name.
+TEST(MaterialSheets, OnlyMeasuredModuliHaveMarksInTheLegend) {
+  const auto firstName = [](const Material& material) {
+    const std::vector<NamedSheet> sheets = materialSheets(material);
+    for (const DiagramSeries& series : sheetOf(sheets, "master_curve").diagrams.at(0).series)
+      if (!series.name.empty()) return series.name.english();
+    return std::string();
+  };
+  EXPECT_EQ(firstName(materialOf(solid)), "G\u2032 (\u25CF measured)");
+  MaterialChoices choices;
+  choices.columns.temperature = 293.15;
+  EXPECT_EQ(firstName(makeMaterial("G_inf = 1 MPa\ntau (s),G_i (MPa)\n0.01,2\n1,0.5\n",
+                                   "series.csv", choices)),
+            "G\u2032");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -333,6 +333,7 @@ TEST(ParameterMap, TheSheetHasTheRegionsOfItsCurves) {
   const ParameterMap map =
       mapOf(scene, "sliding.velocity=1e-5:1e3:33", "load.normal_force=1e-3:1:5");
   const DiagramSheet sheet = mapSheet(map, "mu");
+  EXPECT_EQ(sheet.title.english(), "Friction over velocity and normal force");
   const Diagram& diagram = sheet.diagrams.at(0);
   ASSERT_TRUE(diagram.field && diagram.marker);
   EXPECT_FALSE(diagram.field->contours.empty());
@@ -349,6 +350,7 @@ TEST(ParameterMap, TheSheetHasTheRegionsOfItsCurves) {
   const DiagramSheet other =
       mapSheet(mapOf(scene, "elastomer.relaxation_time=1e-5:1e3:17", "load.normal_force=1e-3:1:5"),
                "contact_fraction");
+  EXPECT_EQ(other.title.english(), "Map over relaxation time and normal force: contact fraction");
   ASSERT_EQ(other.diagrams.at(0).series.size(), 1U);
   for (const DiagramPoint& point : other.diagrams[0].series[0].points) {
     // F_N / (4 eta v) = 0.1 h, eta = G tau

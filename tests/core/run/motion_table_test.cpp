@@ -246,7 +246,7 @@ TEST(MotionTable, ThePictureHasTheGuideThatItExplains) {
         const auto guide = std::ranges::find_if(series, &DiagramSeries::isTheory);
         const bool isKelvin = rheology == Rheology::Kelvin;
         EXPECT_EQ(guide != series.end(), isKelvin) << lines;
-        EXPECT_EQ(sheet.note.english().find("dashed: ") != std::string::npos, isKelvin) << lines;
+        EXPECT_EQ(sheet.note.english().find("Dashed: ") != std::string::npos, isKelvin) << lines;
         if (!isKelvin || guide == series.end()) continue;
         // It begins on the friction of the picture, and is as long.
         const auto friction = std::ranges::find(series, false, &DiagramSeries::isBand);

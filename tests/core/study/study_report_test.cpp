@@ -27,5 +27,27 @@ TEST(StudyReport, AListOfArmsIsOneCellOfATable) {
                   R"(mu,elastomer.arms,"[{""modulus"":1000000.0,""relaxation_time"":0.01}]",0)"));
 }
 
+/// The positions of parameters are no numbers, and quantities have their names and units.
+TEST(StudyReport, PicturesNameParametersAndQuantities) {
+  const ParameterStudy study = readStudy(
+      R"({"schema":"asperity-study/1","space":{"load.normal_force":[1,2,3],"surface.hurst":[0.3,1]},)"
+      R"("sampling":"grid","outputs":["indentation"]})",
+      "s.json", {});
+  const StudyAnalysis analysis =
+      analyseSimulations(study.space, {{"indentation", {}}}, [](const UseSimulation& use) {
+        for (const std::int64_t i : {0, 1, 2, 3, 4, 5}) {
+          const double depth = 1e-6 * static_cast<double>(i);
+          use(i, {&depth, 1});
+        }
+      });
+  const std::vector<NamedSheet> sheets = studySheets(study, analysis);
+  ASSERT_EQ(sheets.size(), 2U);
+  const Diagram& correlation = sheets[0].sheet.diagrams.at(0);
+  EXPECT_EQ(correlation.title.english(), "indentation d");
+  EXPECT_TRUE(correlation.x.isOfNames);
+  EXPECT_EQ(sheets[1].sheet.title.english(), "indentation d over each parameter");
+  EXPECT_EQ(sheets[1].sheet.diagrams.at(0).y.unit, "m");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -351,6 +351,9 @@ TEST(DiagramDrawing, TheAxisOfADiagramHasThreeNumbers) {
   EXPECT_EQ(ticks(AxisScale::Logarithmic, {-1, std::log10(0.49)}, 8).size(), 4U);
   const DiagramAxis frequency{"f", "Hz", AxisScale::Logarithmic};
   EXPECT_EQ(tickedXAxis(frequency, {0.7, 5.5}, 12 * sizes.tick, sizes).ticks.size(), 3U);
+  // Names stand above the frame, and numbers below it would mean nothing.
+  const DiagramAxis names{"parameter", "", AxisScale::Linear, 0.5, 2.5, true};
+  EXPECT_TRUE(tickedXAxis(names, {0.5, 2.5}, 40 * sizes.tick, sizes).ticks.empty());
 }
 
 /// Returns whether the numbers at two of the positions 1, 2 and 5 times powers of ten fit beside

@@ -577,6 +577,8 @@ TEST(DiagramTexts, TheSymbolOfAnErrorIsNotThatOfTheQuantity) {
   EXPECT_EQ(trailingSymbol("relativer Fehler von \u03BC"), "");
   EXPECT_EQ(trailingSymbol("modulus G\u2032, G\u2033"), "");
   EXPECT_EQ(trailingSymbol("exponent d ln \u03BC / d ln x"), "");
+  EXPECT_EQ(trailingSymbol("normal force F\u2099"), "F\u2099");
+  EXPECT_EQ(trailingSymbol("a title of the user, which says what it is"), "");
 }
 
 }  // namespace

@@ -41,7 +41,9 @@ constexpr int kMotionTab = 1;
 // Pixels at each side of a title, in the style of a bar that is "crowded" by 0, 1 or 2.
 constexpr std::array kTabPadding{14, 7, 4};
 constexpr int kFreeWidth = 24;  // minimum pixels of the bar beside its titles
-constexpr int kMinPlot = 230;   // minimum height of the chart in pixels, in which two plots fit
+// Minimum height of the chart in pixels: the smallest window has room for it below the messages,
+// the contact and the bar of time.
+constexpr int kMinPlot = 150;
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {

@@ -177,15 +177,17 @@ QString MapPanel::quantity() const {
 void MapPanel::fillChoosers() {
   const std::pair<ChoiceBox*, const char*> choosers[] = {{x_, "sliding.velocity"},
                                                          {y_, "load.normal_force"}};
+  bool isKept = true;  // the choice of the last one, the vertical axis
   for (const auto& [box, usual] : choosers) {
     const QSignalBlocker quiet(box);
     const QString chosen = box->count() > 0 ? box->currentData().toString() : QString(usual);
     box->clear();
     for (const Parameter& row : parameters())
       if (isMapParameter(row, scene_)) box->addItem(translatedText(row.label), fromUtf8(row.key));
+    isKept = box->findData(chosen) >= 0;
     box->setCurrentIndex(std::max(0, box->findData(chosen)));
   }
-  if (x_->currentIndex() == y_->currentIndex() && y_->count() > 1) {
+  if ((!isKept || x_->currentIndex() == y_->currentIndex()) && y_->count() > 1) {
     const QSignalBlocker quiet(y_);
     const int load = std::max(y_->findData("load.nominal_pressure"), y_->findData("load.depth"));
     y_->setCurrentIndex(load >= 0 && load != x_->currentIndex() ? load : (x_->currentIndex() == 0));

@@ -546,6 +546,22 @@ TEST_F(WindowLayoutTest, APresentationGivesBackSizesToThePixel) {
   }
 }
 
+/// Also with a message and a description above the contact.
+TEST_F(WindowLayoutTest, TheSmallestWindowShowsTheWholeChart) {
+  Scene scene = session().scene();
+  scene.description = "Friction grows with velocity.";
+  window_.document().open(scene);
+  window_.messages().showFailure(MessageBar::Failure::Files,
+                                 [] { return QStringLiteral("cannot be opened"); });
+  window_.resize(kMinWindowSize);
+  ASSERT_TRUE(waitFor([&] { return control<MessageBar>("descriptionBar").isVisible(); }));
+  ASSERT_TRUE(window_.messages().isVisible());
+  QCoreApplication::processEvents();
+  const QWidget& plot = window_.plotView();
+  const int foot = plot.mapTo(&window_, QPoint(0, plot.height())).y();
+  EXPECT_LE(foot, window_.statusBar()->y());
+}
+
 TEST_F(WindowLayoutTest, ContentsNeverPushTheWindowBeyondItsSize) {
   window_.resize(1000, 640);
   window_.centralWidget()->setMinimumWidth(2000);

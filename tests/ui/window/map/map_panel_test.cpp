@@ -50,6 +50,18 @@ TEST_F(MapPanelTest, TheCrossSetsTwoParametersAndIsDescribed) {
   EXPECT_NE(panel_.view().accessibleDescription(), before);
 }
 
+/// A scene that is pressed by a pressure has no normal force to choose.
+TEST_F(MapPanelTest, TheLoadIsTheVerticalAxisWhateverItsKind) {
+  ASSERT_TRUE(waitForMap());
+  const auto& y = *panel_.findChild<ChoiceBox*>("mapY");
+  EXPECT_EQ(y.currentData().toString(), "load.normal_force");
+  Scene pressed = scene_;
+  pressed.load.kind = LoadKind::Pressure;
+  pressed.load.nominalPressure = 1e5;
+  panel_.showScene(pressed);
+  EXPECT_EQ(y.currentData().toString(), "load.nominal_pressure");
+}
+
 /// What was changed since the map was computed would be lost.
 TEST_F(MapPanelTest, TheCrossOfAnotherScenesMapDoesNotBringThatSceneBack) {
   ASSERT_TRUE(waitForMap());
