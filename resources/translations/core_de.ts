@@ -4395,8 +4395,8 @@
         <translation>die Isothermen bei %1 und %2 überlappen nicht: keine Verschiebung bringt ihre Moduln zusammen; nötig ist eine Messung bei einer Temperatur dazwischen oder über mehr Frequenzen, oder die Isothermen jenseits der Lücke weglassen</translation>
     </message>
     <message>
-        <source>the isotherm at %1 is slower than that at %2 by %3 decades: the temperatures are out of order; correct the column, or leave an isotherm out</source>
-        <translation>die Isotherme bei %1 ist um %3 Dekaden langsamer als die bei %2: die Temperaturen sind vertauscht; die Spalte berichtigen oder eine Isotherme weglassen</translation>
+        <source>the isotherm at %1 is slower than that at %2 by %3 decades: the temperatures are out of order, or the moduli change too little to tell; correct the column, or leave an isotherm out</source>
+        <translation>die Isotherme bei %1 ist um %3 Dekaden langsamer als die bei %2: die Temperaturen sind vertauscht, oder die Moduln ändern sich zu wenig, um es zu sagen; die Spalte berichtigen oder eine Isotherme weglassen</translation>
     </message>
     <message>
         <source>holds no isotherm</source>
