@@ -8,8 +8,8 @@
 // of the mean over the fit's own lines, which all points share. So cov = (J'WJ)^-1 J'W (S_data +
 // S_lines) WJ (J'WJ)^-1. S_lines is larger than the scatter of the lines by the square of Student's
 // factor, because few lines know their scatter badly. Where the tables have no errors, all points
-// have the same relative error, which is estimated from the residuals; where their errors do not
-// hold, they are scaled to the residuals.
+// have the same relative error, which is estimated from the residuals and enlarged in the same way;
+// where their errors do not hold, they are scaled to the residuals.
 //
 // Valleys. Where parameters can replace one another, the sum of squares is no parabola, and few
 // lines make it uneven. The profiles follow such a valley: where a point of one lies lower than the
@@ -80,6 +80,9 @@ struct FitErrors {
   /// The factor by which the errors of the points are scaled: 1 where they hold. Without errors
   /// theirs are 100 %, and this is the relative scatter.
   double errorScale = 1;
+  /// The factor by which the errors of the values are enlarged, because few residuals know the
+  /// scatter of the points badly (Student); 1 where the tables have errors.
+  double fewPointsFactor = 1;
   /// Whether the points are further from the curve than their errors and the scatter of the lines
   /// allow.
   bool missesPoints = false;

@@ -41,18 +41,24 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   return about;
 }
 
-/// Returns the factor by which an error from the scatter of the lines is larger than this scatter,
-/// because few lines know it badly: two such errors hold as often as two of a known one (Student).
-double factorOfFewLines(const FrictionWithDerivatives& found) {
+/// Returns the factor by which an error from a scatter is larger than this scatter, because few
+/// values know it badly: two such errors hold as often as two of a known one (Student).
+double factorOfFew(double degreesOfFreedom) {
   constexpr double kErrors = 2;
+  return std::isfinite(degreesOfFreedom) ? studentDeviations(kErrors, degreesOfFreedom) / kErrors
+                                         : 1;
+}
+
+/// Returns the least degrees of freedom of the scatter of the lines at a point; infinite where
+/// there is one line.
+double freedomOfLines(const FrictionWithDerivatives& found) {
   double degreesOfFreedom = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < found.muOfLines.size(); ++i)
     if (found.muOfLines[i].size() > 1)
       degreesOfFreedom =
           std::min(degreesOfFreedom,
                    lineMeanError(found.muOfLines[i], found.orderedRows[i]).degreesOfFreedom);
-  return std::isfinite(degreesOfFreedom) ? studentDeviations(kErrors, degreesOfFreedom) / kErrors
-                                         : 1;
+  return degreesOfFreedom;
 }
 
 /// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
@@ -108,8 +114,15 @@ void compareWithErrors(const MatrixXd& left, const Objective& objective, FitErro
       hasErrors && errors.chiSquared > degreesOfFreedom + ofLines + 3 * std::sqrt(variance);
   if (errors.missesPoints)
     errors.errorScale = std::sqrt((errors.chiSquared - ofLines) / degreesOfFreedom);
-  if (!hasErrors)
-    errors.errorScale = errors.relativeScatter = std::sqrt(errors.chiSquared / degreesOfFreedom);
+  if (hasErrors) return;
+  errors.errorScale = errors.relativeScatter = std::sqrt(errors.chiSquared / degreesOfFreedom);
+  errors.fewPointsFactor = factorOfFew(degreesOfFreedom);
+}
+
+/// Returns the factor from the errors of the points, or from 100 %, to those that the errors of the
+/// values come from.
+double pointScale(const FitErrors& errors) {
+  return errors.errorScale * errors.fewPointsFactor;
 }
 
 }  // namespace
@@ -136,9 +149,9 @@ FitErrors fitErrors(const Objective& objective, const Minimum& best) {
   const MatrixXd ofLines = response * lines;
   compareWithErrors(weights.cwiseSqrt().asDiagonal() * (lines - slopes * ofLines), objective,
                     errors);
-  const VectorXd ofPoints = errors.errorScale * errors.errorScale * weights.cwiseInverse();
+  const VectorXd ofPoints = std::pow(pointScale(errors), 2) * weights.cwiseInverse();
   const MatrixXd byPoints = response * ofPoints.asDiagonal() * response.transpose();
-  const double fewLines = factorOfFewLines(found);
+  const double fewLines = factorOfFew(freedomOfLines(found));
   const MatrixXd byLines = fewLines * fewLines * ofLines * ofLines.transpose();
   errors.covariance = byPoints + byLines + information.openCovariance();
   errors.isByLines = (byLines.diagonal().array() > byPoints.diagonal().array()).any();
@@ -164,7 +177,7 @@ using Eigen::VectorXd;
 /// Returns how many standard errors a parabola of the sum of squares would be away from its least
 /// value to reach that of a point.
 double errorsAbove(const Minimum& point, const FitErrors& errors) {
-  return std::sqrt(std::max(0.0, point.chiSquared - errors.chiSquared)) / errors.errorScale;
+  return std::sqrt(std::max(0.0, point.chiSquared - errors.chiSquared)) / pointScale(errors);
 }
 
 VectorXd withinLimits(const Objective& objective, VectorXd coordinates) {

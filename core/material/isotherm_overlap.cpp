@@ -234,8 +234,8 @@ void checkOrder(const Isotherm& cold, const Isotherm& warm, const Overlap& overl
   throw InputError(
       "", "temperature",
       message("the isotherm at {} is slower than that at {} by {:.2f} decades: the "
-              "temperatures are out of order; correct the column, or leave an isotherm "
-              "out",
+              "temperatures are out of order, or the moduli change too little to tell; "
+              "correct the column, or leave an isotherm out",
               celsius(warm.temperature), celsius(cold.temperature), -overlap.log10Shift));
 }
 

@@ -14,6 +14,9 @@ namespace asperity {
 namespace {
 
 constexpr double kBeyond = 0.5;         // decades of times outside of the measured range
+constexpr double kFarBeyond = 2;        // of times below it, where these are needed
+constexpr double kPoor = 0.03;          // relative residual that may need them
+constexpr double kMuchBetter = 0.5;     // of that residual
 constexpr double kTermsPerDecade = 8;   // at most, where the number is chosen
 constexpr double kNearFloor = 1.05;     // of the least residual
 constexpr double kGoodEnough = 0.002;   // relative; no instrument measures better
@@ -77,9 +80,9 @@ double angular(double frequency) {
 }
 
 /// Returns relaxation times that are evenly spaced in the logarithm, falling.
-std::vector<double> relaxationTimes(double lowest, double highest, int count) {
+std::vector<double> relaxationTimes(double lowest, double highest, double decadesBelow, int count) {
   const double from = std::log10(1 / angular(lowest)) + kBeyond;
-  const double to = std::log10(1 / angular(highest)) - kBeyond;
+  const double to = std::log10(1 / angular(highest)) - decadesBelow;
   std::vector<double> times;
   for (int i = 0; i < count; ++i)
     times.push_back(
@@ -117,9 +120,10 @@ RelativeSystem relativeSystem(std::span<const DynamicModulus> points,
   return system;
 }
 
-PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double knownEquilibrium) {
+PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double decadesBelow,
+                    double knownEquilibrium) {
   const std::vector<double> times =
-      relaxationTimes(points.front().frequency, points.back().frequency, terms);
+      relaxationTimes(points.front().frequency, points.back().frequency, decadesBelow, terms);
   const RelativeSystem system = relativeSystem(points, times, knownEquilibrium);
   // The triangular factor of a QR factorization has the same least squares in few rows. Each column
   // is scaled to length 1, so that tolerances mean the same for all moduli.
@@ -133,6 +137,7 @@ PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double kn
 
   PronySeries series;
   series.terms = terms;
+  series.decadesBelow = decadesBelow;
   series.equilibriumModulus =
       std::isnan(knownEquilibrium) ? unknowns[unknowns.size() - 1] : knownEquilibrium;
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -154,10 +159,10 @@ double rmsResidual(const PronySeries& series) {
 }
 
 /// Returns the series with the fewest terms whose residual more terms would not reduce.
-PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEquilibrium,
-                          const std::stop_token& stop) {
+PronySeries fitWithFewest(std::span<const DynamicModulus> points, double decadesBelow,
+                          double knownEquilibrium, const std::stop_token& stop) {
   const double decades =
-      std::log10(points.back().frequency / points.front().frequency) + 2 * kBeyond;
+      std::log10(points.back().frequency / points.front().frequency) + kBeyond + decadesBelow;
   const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
                               std::min(kMaxTerms, static_cast<int>(points.size())));
   std::vector<PronySeries> fits;
@@ -165,13 +170,24 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   constexpr int kMany = 24, kStep = 4;
   for (int terms = 1; terms <= most; terms += terms < kMany ? 1 : kStep) {
     throwIfStopped(stop);
-    fits.push_back(fitWith(points, terms, knownEquilibrium));
+    fits.push_back(fitWith(points, terms, decadesBelow, knownEquilibrium));
   }
   double floor = rmsResidual(fits.front());
   for (const PronySeries& fit : fits) floor = std::min(floor, rmsResidual(fit));
   const double enough = std::max(kNearFloor * floor, kGoodEnough);
   return *std::ranges::find_if(fits,
                                [&](const PronySeries& fit) { return rmsResidual(fit) <= enough; });
+}
+
+/// Returns the series with the fewest terms. Where the loss modulus rises almost as that of a
+/// dashpot and the storage modulus does not follow, only times far below the measured range give
+/// the one without the other.
+PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEquilibrium,
+                          const std::stop_token& stop) {
+  const PronySeries usual = fitWithFewest(points, kBeyond, knownEquilibrium, stop);
+  if (!(rmsResidual(usual) > kPoor)) return usual;
+  const PronySeries wider = fitWithFewest(points, kFarBeyond, knownEquilibrium, stop);
+  return rmsResidual(wider) < kMuchBetter * rmsResidual(usual) ? wider : usual;
 }
 
 /// Returns whether the moduli tell the equilibrium modulus of a fit from 0: it is a visible part of
@@ -187,7 +203,7 @@ bool isEquilibriumClear(std::span<const DynamicModulus> points, const PronySerie
   const double degreesOfFreedom =
       std::max(1.0, values - static_cast<double>(series.arms.size() + 1));
   const double least = squares(series);
-  return squares(fitWith(points, series.terms, 0)) - least >
+  return squares(fitWith(points, series.terms, series.decadesBelow, 0)) - least >
          kClear * kClear * least / degreesOfFreedom;
 }
 
@@ -220,7 +236,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
                      message("{} is above the lowest storage modulus of shear, {}; allowed is a "
                              "modulus below it",
                              printed(known, "Pa"), printed(smallest, "Pa")));
-  PronySeries series = options.terms > 0 ? fitWith(points, options.terms, known)
+  PronySeries series = options.terms > 0 ? fitWith(points, options.terms, kBeyond, known)
                                          : fitWithFewest(points, known, options.stop);
   if (!options.isLiquid && !(series.equilibriumModulus > kNothing * smallest))
     throw InputError(

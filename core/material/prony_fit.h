@@ -25,17 +25,18 @@ struct PronySeries {
   double equilibriumModulus = 0;  // Pa, G_inf
   std::vector<Arm> arms;          // falling relaxation times, moduli above 0
   int terms = 0;                  // relaxation times that the arms were chosen from
+  double decadesBelow = 0;        // from 1 / w_max down to the shortest of these times
   double rmsStorage = 0;          // rms of G'/G'_measured - 1
   double rmsLoss = 0;             // rms of G''/G''_measured - 1
 };
 
 /// Fits the series by non-negative least squares (Lawson and Hanson 1974) of G'/G'_measured - 1 and
 /// G''/G''_measured - 1, all with equal weight. The relaxation times are evenly spaced in their
-/// logarithm, from half a decade below 1 / w_max to half a decade above 1 / w_min; terms with
-/// modulus 0 are left out. Throws InputError where there are too few points, and where the
-/// equilibrium modulus would be 0, or so small that the moduli do not tell it from 0, unless the
-/// options allow it. Throws StopRequested where `stop`
-/// was requested.
+/// logarithm, from half a decade below 1 / w_max to half a decade above 1 / w_min; where their
+/// number is chosen and the residual is above 3 %, from two decades below 1 / w_max if that halves
+/// it. Terms with modulus 0 are left out. Throws InputError where there are too few points, and
+/// where the equilibrium modulus would be 0, or so small that the moduli do not tell it from 0,
+/// unless the options allow it. Throws StopRequested where `stop` was requested.
 PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOptions& options);
 
 /// Returns G' and G'' of the series at a frequency (Hz).

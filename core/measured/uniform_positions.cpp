@@ -353,10 +353,17 @@ Message repeatsNote(std::size_t rows) {
 
 namespace {
 
-/// Stores heights at positions that are uniform.
+/// Stores heights at positions that are uniform, and notes where their rounding hides how far they
+/// are apart.
 void keepPlaces(std::span<const double> positions, double spacing, std::vector<double> heights,
                 SurfaceDraft& draft) {
+  constexpr double kVisible = 0.1;  // of a step
   draft.facts.spacingVariation = spacingVariation(positions, spacing);
+  if (draft.facts.spacingVariation > kVisible)
+    draft.facts.notes.push_back(
+        message("Positions have few digits (steps differ by up to {:.3g} %) and are taken for "
+                "uniform ones that were rounded.",
+                100 * draft.facts.spacingVariation));
   draft.grid.columnSpacing = std::abs(spacing);
   draft.grid.height = std::move(heights);
 }
@@ -366,7 +373,8 @@ void placeRising(std::vector<double> positions, std::vector<double> heights,
                  const SurfaceSource& source, SurfaceDraft& draft) {
   if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
     draft.facts.notes.push_back(repeatsNote(gone));
-  if (positions.size() < 2) source.fail("all positions are the same");
+  if (positions.size() < 2)
+    source.fail("all positions are the same; at least 3 different ones are needed");
   if (const auto spacing = uniformSpacing(positions))
     return keepPlaces(positions, *spacing, std::move(heights), draft);
   const double mean =

@@ -143,6 +143,17 @@ LineExtent spectrumExtent(const Surface& surface, const SpectralDensity& density
   return extent;
 }
 
+void requireFewNodes(std::int64_t elements, std::int64_t oversampling) {
+  if (elements * oversampling <= kMaxNodes) return;
+  const std::int64_t mostOversampling = std::max<std::int64_t>(1, kMaxNodes / elements);
+  throw InputError(
+      "", "surface.elements",
+      message("{} times oversampling {} is more than {} points; allowed are up to {} elements, or "
+              "with accuracy.oversampling {} up to {}",
+              elements, oversampling, kMaxNodes, kMaxNodes / oversampling, mostOversampling,
+              kMaxNodes / mostOversampling));
+}
+
 }  // namespace
 
 LineExtent lineExtent(const Scene& scene) {
@@ -178,10 +189,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
   if (surface_.kind == SurfaceKind::Spectrum) setSpectrum(scene);
   if (surface_.kind == SurfaceKind::Profile)
     setProfile(profile ? *profile : readFile(scene, readProfile));
-  if (elements_ * oversampling > kMaxNodes)
-    throw InputError("", "surface.elements",
-                     message("{} times oversampling {} is more than {} points", elements_,
-                             oversampling, kMaxNodes));
+  requireFewNodes(elements_, oversampling);
   nodes_ = static_cast<std::size_t>(elements_ * oversampling);
   if (surface_.kind == SurfaceKind::Sine && surface_.waves > (elements_ - 1) / 2)
     throw InputError("", "surface.waves",

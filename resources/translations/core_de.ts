@@ -2907,8 +2907,8 @@
         <translation>ein Vergleich braucht dieselbe Auflösung bei jeder Geschwindigkeit</translation>
     </message>
     <message>
-        <source>%1 times oversampling %2 is more than %3 points</source>
-        <translation>%1 mal Überabtastung %2 sind mehr als %3 Punkte</translation>
+        <source>%1 times oversampling %2 is more than %3 points; allowed are up to %4 elements, or with accuracy.oversampling %5 up to %6</source>
+        <translation>%1 mal Überabtastung %2 sind mehr als %3 Punkte; erlaubt sind bis zu %4 Elemente oder mit accuracy.oversampling %5 bis zu %6</translation>
     </message>
     <message>
         <source>is missing; the profile has heights without positions</source>
@@ -4275,6 +4275,10 @@
         <translation>%1 Orte haben keine Zeile in der Datei und gelten als Lücken.</translation>
     </message>
     <message>
+        <source>Positions have few digits (steps differ by up to %1 %) and are taken for uniform ones that were rounded.</source>
+        <translation>Die Orte haben wenige Stellen (die Schritte weichen um bis zu %1 % ab) und gelten als gleichabständige, die gerundet wurden.</translation>
+    </message>
+    <message>
         <source>Positions are not uniform (steps differ by up to %1 %): heights are interpolated linearly onto %2 uniform places.</source>
         <translation>Die Orte sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Orte umgerechnet.</translation>
     </message>
@@ -4291,8 +4295,8 @@
         <translation>%1 Zeilen wiederholen einen Ort: es gilt der Mittelwert ihrer Höhen.</translation>
     </message>
     <message>
-        <source>all positions are the same</source>
-        <translation>alle Orte sind gleich</translation>
+        <source>all positions are the same; at least 3 different ones are needed</source>
+        <translation>alle Orte sind gleich; mindestens 3 verschiedene sind nötig</translation>
     </message>
     <message>
         <source>is not a whole %1 archive</source>
@@ -4395,8 +4399,8 @@
         <translation>die Isothermen bei %1 und %2 überlappen nicht: keine Verschiebung bringt ihre Moduln zusammen; nötig ist eine Messung bei einer Temperatur dazwischen oder über mehr Frequenzen, oder die Isothermen jenseits der Lücke weglassen</translation>
     </message>
     <message>
-        <source>the isotherm at %1 is slower than that at %2 by %3 decades: the temperatures are out of order; correct the column, or leave an isotherm out</source>
-        <translation>die Isotherme bei %1 ist um %3 Dekaden langsamer als die bei %2: die Temperaturen sind vertauscht; die Spalte berichtigen oder eine Isotherme weglassen</translation>
+        <source>the isotherm at %1 is slower than that at %2 by %3 decades: the temperatures are out of order, or the moduli change too little to tell; correct the column, or leave an isotherm out</source>
+        <translation>die Isotherme bei %1 ist um %3 Dekaden langsamer als die bei %2: die Temperaturen sind vertauscht, oder die Moduln ändern sich zu wenig, um es zu sagen; die Spalte berichtigen oder eine Isotherme weglassen</translation>
     </message>
     <message>
         <source>holds no isotherm</source>

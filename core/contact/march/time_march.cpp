@@ -196,10 +196,26 @@ TimeMarch::Climb TimeMarch::balance(double load) {
   }
 }
 
+/// Returns whether a p that is linear in a step of this length is not possible: each p would then
+/// get the error of the one before with the opposite sign, little smaller. That is so where the
+/// step resolves the dashpot of the elements. Where it does not, a constant p would lag behind the
+/// other amplitudes by half a step, as if the elements had more friction.
+bool TimeMarch::needsConstantPressure(double dt) const {
+  constexpr double kDamped = 0.8;  // of the error of the step before
+  if (modes_.glassyCompliance > 0) return false;
+  double before = 0, after = 0;
+  for (std::size_t j = 0; j < modes_.modes(); ++j) {
+    const DrivenDecay decay = drivenDecay(modes_.rate[j] * dt);
+    before += modes_.fluidity[j] * (decay.driven[0] - decay.driven[1]);
+    after += modes_.fluidity[j] * decay.driven[1];
+  }
+  return before > kDamped * after;
+}
+
 void TimeMarch::prepareSteps(double dt) {
   if (dt == preparedFor_) return;
   preparedFor_ = dt;
-  const bool hasDashpot = modes_.glassyCompliance == 0;
+  isPressureConstant_ = needsConstantPressure(dt);
   compliance_ = modes_.glassyCompliance;
   for (std::size_t j = 0; j < creep_.size(); ++j) {
     const double z = modes_.rate[j] * dt, flow = modes_.fluidity[j] * dt;
@@ -207,24 +223,23 @@ void TimeMarch::prepareSteps(double dt) {
     Creep& creep = creep_[j];
     creep.kept = decay.kept;
     creep.forgotten = -std::expm1(-z);
-    creep.before = hasDashpot ? 0 : flow * (decay.driven[0] - decay.driven[1]);
-    creep.after = flow * (hasDashpot ? decay.driven[0] : decay.driven[1]);
+    creep.before = isPressureConstant_ ? 0 : flow * (decay.driven[0] - decay.driven[1]);
+    creep.after = flow * (isPressureConstant_ ? decay.driven[0] : decay.driven[1]);
     creep.stiffness = modes_.rate[j] / modes_.fluidity[j];
     const double whole = z > 0 ? -0.5 * std::expm1(-2 * z) / z : 1;  // for a constant p
-    const LossForm form = hasDashpot ? LossForm{} : lossForm(z);
+    const LossForm form = isPressureConstant_ ? LossForm{} : lossForm(z);
     creep.loss = {flow * whole, 0, 0};
-    if (!hasDashpot) creep.loss[1] = flow * (z > 0 ? form.ed[0] / z : 1);
-    if (!hasDashpot) creep.loss[2] = flow * (z > 0 ? form.dd[0] / z : 1.0 / 3);
+    if (!isPressureConstant_) creep.loss[1] = flow * (z > 0 ? form.ed[0] / z : 1);
+    if (!isPressureConstant_) creep.loss[2] = flow * (z > 0 ? form.dd[0] / z : 1.0 / 3);
     compliance_ += creep.after;
   }
 }
 
 /// Computes the depths at the end of the step if nothing touches, and the climb of the line to
-/// reach them. With a dashpot a short step presses elements by far less than their depth, so
+/// reach them. Under a constant p a short step presses elements by far less than their depth, so
 /// everything is counted from the step's beginning: a touched element has exactly no gap.
 void TimeMarch::creepFreely() {
   const std::size_t count = depth_.size();
-  const bool hasDashpot = modes_.glassyCompliance == 0;
   std::fill(free_.begin(), free_.end(), 0);
   std::fill(threshold_.begin(), threshold_.end(), 0);
   for (std::size_t j = 0; j < creep_.size(); ++j) {
@@ -241,13 +256,13 @@ void TimeMarch::creepFreely() {
   }
   for (std::size_t i = 0; i < count; ++i) {
     const double gap = depth_[i] - (indentation_ - lastHeight_[i]);
-    threshold_[i] = hasDashpot ? threshold_[i] + gap + (height_[i] - lastHeight_[i])
-                               : free_[i] + height_[i] - indentation_;
+    threshold_[i] = isPressureConstant_ ? threshold_[i] + gap + (height_[i] - lastHeight_[i])
+                                        : free_[i] + height_[i] - indentation_;
   }
 }
 
 /// Presses the touched elements to the new indentation and computes the sums.
-template <bool HasDashpot>
+template <bool IsConstant>
 MarchStep TimeMarch::finishStep(const Climb& climb) {
   const std::size_t count = depth_.size();
   const double before = before_;
@@ -258,12 +273,12 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
     const double pushed = std::max(climb.further - threshold_[i], 0.0);
     const double start = depth_[i], end = pushed > 0 ? indentation_ - height_[i] : free_[i];
     const double last = 0.25 * pressure_[i], now = pushed / compliance_;
-    const double mean = HasDashpot ? now : 0.5 * (last + now);
+    const double mean = IsConstant ? now : 0.5 * (last + now);
     const double gap = start - (before - lastHeight_[i]);
     load += now;
     advance += mean * (lastHeight_[i] - height_[i]);
-    if (HasDashpot) closing += mean * gap;
-    if (!HasDashpot) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
+    if (IsConstant) closing += mean * gap;
+    if (!IsConstant) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
     touching += pushed > 0 ? 1 : 0;
     depth_[i] = end;
     threshold_[i] = last;  // from here on it is the previous pressure
@@ -276,13 +291,13 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
     for (std::size_t i = 0; i < count; ++i) {
       const double start = amplitude[i], now = 0.25 * pressure_[i];
       double driven = creep.after * now;
-      if constexpr (!HasDashpot) driven += creep.before * threshold_[i];
+      if constexpr (!IsConstant) driven += creep.before * threshold_[i];
       const double change = driven - creep.forgotten * start;
       // A settled amplitude stays exactly the same, and a forgotten one leaves no rounding error.
       const double end = isSlow ? start + change : creep.kept * start + driven;
-      if constexpr (HasDashpot) work += now * change;
+      if constexpr (IsConstant) work += now * change;
       stored += 0.5 * creep.stiffness * change * (end + start);
-      if constexpr (HasDashpot) {
+      if constexpr (IsConstant) {
         const double x = now - creep.stiffness * start;
         dissipated += creep.loss[0] * x * x;
       } else {
@@ -296,7 +311,7 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
   result.normalForce = h * load;
   // Under a p that is linear in time the amplitudes determine the depths between beginning and end:
   // their stored and dissipated energy is exactly the work.
-  result.work = h * (HasDashpot ? work : stored + dissipated);
+  result.work = h * (IsConstant ? work : stored + dissipated);
   result.stored = h * stored;
   result.dissipated = h * dissipated;
   result.lineWork = h * advance;
@@ -333,8 +348,7 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
                           ? balance(load.normalForce * compliance_ / (4 * line_->spacing))
                           : Climb{0, load.depth - indentation_};
   indentation_ += climb.whole();
-  MarchStep result =
-      modes_.glassyCompliance == 0 ? finishStep<true>(climb) : finishStep<false>(climb);
+  MarchStep result = isPressureConstant_ ? finishStep<true>(climb) : finishStep<false>(climb);
   countContacts(result);
   const bool moves = std::abs(distance) > kMinMove * line_->spacing;
   result.slopeForce = moves ? result.lineWork / distance : slopeForce();
@@ -399,9 +413,8 @@ void TimeMarch::recordStep(double dt) {
 /// Computes for each element what finishStep sums as MarchStep::dissipated and gapWork.
 void TimeMarch::recordPower(double dt) {
   const std::size_t count = depth_.size();
-  const bool hasDashpot = modes_.glassyCompliance == 0;
-  // Without a dashpot a pressure comes from the difference of depths.
-  const double ofDepth = hasDashpot ? 0 : kRounding * std::abs(indentation_) / compliance_;
+  // A linear pressure comes from the difference of depths.
+  const double ofDepth = isPressureConstant_ ? 0 : kRounding * std::abs(indentation_) / compliance_;
   const double rounding =
       std::max({ofDepth, pressureRounding(beginPressure_), pressureRounding(pressure_)});
   const auto unlessRounding = [rounding](double x) { return std::abs(x) > rounding ? x : 0; };
@@ -410,12 +423,13 @@ void TimeMarch::recordPower(double dt) {
     const Creep creep = creep_[j];
     const double* begin = beginAmplitude_.data() + j * count;
     for (std::size_t i = 0; i < count; ++i) {
-      const double now = 0.25 * pressure_[i], last = hasDashpot ? now : 0.25 * beginPressure_[i];
+      const double now = 0.25 * pressure_[i],
+                   last = isPressureConstant_ ? now : 0.25 * beginPressure_[i];
       power_[i] += creep.taken(unlessRounding(last - creep.stiffness * begin[i]),
                                unlessRounding(now - last));
     }
   }
-  if (hasDashpot)
+  if (isPressureConstant_)
     for (std::size_t i = 0; i < count; ++i)
       if (pressure_[i] > 0)
         power_[i] += 0.25 * pressure_[i] * (beginDepth_[i] - (before_ - lastHeight_[i]));

@@ -4,12 +4,12 @@
 //
 // The state of an element is its creep amplitudes (core/contact/arms/retardation.h), which are
 // independent of each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements
-// with a dashpot of their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step;
-// their p jumps where the line meets them. Elements without one are loaded by a p that is linear in
-// time. Either way y_new = max(y_free, d_new - z), p >= 0 by construction, and F_N(d_new) is
-// piecewise linear and is solved exactly. With dt = dx / v friction converges at second order in
-// dx; steps v dt longer than about twice the sliding distance in a relaxation time cannot resolve
-// it.
+// with a dashpot of their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step
+// that resolves it; their p jumps where the line meets them. In longer steps, and without such a
+// dashpot, they are loaded by a p that is linear in time. Either way y_new = max(y_free, d_new -
+// z), p >= 0 by construction, and F_N(d_new) is piecewise linear and is solved exactly. With dt =
+// dx / v friction converges at second order in dx; steps v dt longer than about twice the sliding
+// distance in a relaxation time cannot resolve it.
 //
 // Ownership: owns its line, its law and its state. Threading: one thread at a time.
 #pragma once
@@ -37,7 +37,7 @@ struct MarchLoad {
 /// The result of one step, over one period.
 struct MarchStep {
   double indentation = 0;    // m, at its end, from the lowest point of the line
-  double normalForce = 0;    // N; constant in the step, or at its end without a dashpot
+  double normalForce = 0;    // N; constant in the step, or at its end where p is linear
   double work = 0;           // J, done on the elements: integral of p du
   double dissipated = 0;     // J, in the dashpots, each computed separately: never below 0
   double stored = 0;         // J, increase in the springs
@@ -137,12 +137,13 @@ class TimeMarch {
     double whole() const { return toTouch + further; }
   };
 
+  bool needsConstantPressure(double dt) const;
   void prepareSteps(double dt);
   void moveLine(double distance);
   void placeLine();
   Climb balance(double load);
   void creepFreely();
-  template <bool HasDashpot>
+  template <bool IsConstant>
   MarchStep finishStep(const Climb& climb);
   void countContacts(MarchStep& step) const;
   void keepBegin();
@@ -168,6 +169,7 @@ class TimeMarch {
   std::vector<double> sinceContact_, power_;
   std::vector<double> beginDepth_, beginPressure_, beginAmplitude_;  // of the step, for power
   double preparedFor_ = -1;                                          // s, dt of creep_
+  bool isPressureConstant_ = false;                                  // p in steps of that dt
   double compliance_ = 0;  // m / Pa, y over a p/4 added at the end of the step
 };
 

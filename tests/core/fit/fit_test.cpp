@@ -363,6 +363,22 @@ TEST(Fit, ReadsTheScatterWhereNoErrorsAreGiven) {
   EXPECT_NEAR(std::log(fit.parameters[0].value / 5e-7), 0, 3 * fit.parameters[0].standardError);
 }
 
+/// The scatter of few points about a fit is itself uncertain: two standard errors hold as often as
+/// two of known errors only with Student's factor, here of three degrees of freedom.
+TEST(Fit, EnlargesErrorsThatFewResidualsTell) {
+  FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 11, false);
+  data.points.resize(5);
+  const Scene scene = start(1, 4);
+  const std::vector<VariedParameter> varied{{"surface.rms_height", scene},
+                                            {"elastomer.relaxation_time", scene}};
+  const Fit fit = fitFriction(scene, {&data, 1}, varied, withoutProfiles());
+  for (MeasuredPoint& point : data.points) point.muError = fit.relativeScatter * point.mu;
+  const Fit known = fitFriction(scene, {&data, 1}, varied, withoutProfiles());
+  constexpr double kFactor = 3.307 / 2;  // 95.45 % of Student's distribution, for 3
+  for (std::size_t k = 0; k < varied.size(); ++k)
+    EXPECT_NEAR(fit.parameters[k].standardError / known.parameters[k].standardError, kFactor, 1e-3);
+}
+
 /// Series over the force are fitted like series over the velocity.
 TEST(Fit, ForceSeriesAreFittedToo) {
   FrictionData data;

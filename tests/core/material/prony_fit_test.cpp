@@ -77,6 +77,21 @@ TEST(PronyFit, FromIsothermsToModuli) {
             0.01);
 }
 
+/// A loss modulus that rises as that of a dashpot, above the storage modulus, needs relaxation
+/// times far below the measured ones.
+TEST(PronyFit, AViscousLossLeavesTheStorageModulusAsItIs) {
+  constexpr double kTop = 1e4;
+  std::vector<DynamicModulus> points;
+  for (int i = 0; i <= 60; ++i) {
+    const double frequency = kTop * std::pow(10, (i - 60) / 10.0);
+    points.push_back({frequency, 1e6, 3e6 * frequency / kTop});
+  }
+  const PronySeries series = fitPronySeries(points, {});
+  EXPECT_LT(series.rmsStorage, 0.02);
+  EXPECT_LT(series.rmsLoss, 0.02);
+  EXPECT_NEAR(series.equilibriumModulus, 1e6, 1e4);
+}
+
 /// Noise of 2 % on every modulus: the series is nearer to the truth than the points are, within 3 %
 /// in the root mean square. At the worst single frequency 3 % cannot be promised by any fit. The
 /// bound of Cramer and Rao for these seven sweeps of 21 points, of one who knows the fifteen

@@ -103,6 +103,21 @@ TEST(Positions, RoundedTooCoarselyAreRefused) {
   EXPECT_EQ(missing.facts.gaps, 12);
 }
 
+/// Whole numbers may be rounded steps of 1.4 or steps of 1 with missing points.
+TEST(Positions, WithFewDigitsAreNamed) {
+  const auto file = [](const std::string& positions, double step) {
+    return read("x [um],z [um]\n" + linesOf([&](int i) {
+                  return fmt::format("{},{:.4f}", fmt::format(fmt::runtime(positions), step * i),
+                                     micrometresAt(i));
+                }));
+  };
+  EXPECT_TRUE(says(file("{:.0f}", 1.4), "few digits"));
+  EXPECT_TRUE(says(file("{:.1f}", 0.37), "steps differ by up to"));
+  EXPECT_FALSE(says(file("{:.1f}", 1.4), "few digits"));
+  EXPECT_FALSE(says(file("{:.2f}", 0.377), "few digits"));
+  EXPECT_TRUE(says(read("x [um],z [um]\n0,1\n1,2\n3,4\n4,1\n"), "few digits"));
+}
+
 TEST(RoadFiles, AreNamed) {
   const std::string rows =
       linesOf([](int i) { return fmt::format("{:.4f} 0.1", micrometresAt(i)); });

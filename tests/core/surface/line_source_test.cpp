@@ -169,8 +169,17 @@ TEST(LineSource, ScenesThatCannotRunAreRefused) {
   scene.surface.kind = SurfaceKind::Sine;
   scene.surface.waves = 5;
   EXPECT_THROW(LineSource(scene, 1), InputError);
+  // 2^26 points at most.
   scene = roughScene(std::int64_t{1} << 24);
-  EXPECT_THROW(LineSource(scene, 64), InputError);
+  try {
+    const LineSource source(scene, 64);
+    FAIL() << "a line of 2^30 points";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), "surface.elements");
+    EXPECT_THAT(error.message().english(),
+                testing::HasSubstr("allowed are up to 1048576 elements, or with "
+                                   "accuracy.oversampling 4 up to 16777216"));
+  }
 }
 
 /// Memory is used again: whatever line lay in it, the next one is as if it were the first.
