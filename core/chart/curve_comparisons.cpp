@@ -8,6 +8,7 @@
 #include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
+#include "core/material/isotherms.h"
 
 namespace asperity {
 namespace {
@@ -39,19 +40,19 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle,
                                     SeriesMark::Circle};
 
-/// A quantity that tells the points of a table apart.
+/// A quantity that tells the points of a table apart, and its value as it is printed.
 struct Distinction {
   double MeasuredPoint::*value;
-  const char* unit;
-  int digits;
-};
-constexpr std::array kLoads{Distinction{&MeasuredPoint::normalForce, "N", 3},
-                            Distinction{&MeasuredPoint::nominalPressure, "Pa", 3}};
-constexpr Distinction kTemperature{&MeasuredPoint::temperature, "K", 5};
+  std::string (*text)(double value);
 
-std::string textOf(const Distinction& by, const MeasuredPoint& point) {
-  return printedQuantity(point.*by.value, by.unit, by.digits);
-}
+  std::string textOf(const MeasuredPoint& point) const { return text(point.*value); }
+};
+constexpr std::array kLoads{
+    Distinction{&MeasuredPoint::normalForce, [](double n) { return printedQuantity(n, "N", 3); }},
+    Distinction{&MeasuredPoint::nominalPressure,
+                [](double pa) { return printedQuantity(pa, "Pa", 3); }}};
+constexpr Distinction kTemperature{&MeasuredPoint::temperature,
+                                   [](double kelvin) { return celsius(kelvin).english(); }};
 
 /// Returns the values of the quantity in a table as they are printed, rising, if all points have
 /// one and there are several but no more than marks; else one empty text, which means all points.
@@ -64,7 +65,7 @@ std::vector<std::string> fewValues(const MeasuredCurve& measured, const Distinct
   std::ranges::sort(points, {}, by.value);
   std::vector<std::string> texts;
   for (const MeasuredPoint& point : points)
-    if (std::string text = textOf(by, point); texts.empty() || texts.back() != text)
+    if (std::string text = by.textOf(point); texts.empty() || texts.back() != text)
       texts.push_back(std::move(text));
   return texts.size() > 1 && texts.size() <= kMeasuredMarks.size() ? texts : one;
 }
@@ -75,8 +76,8 @@ struct MeasuredPart {
   std::string loadText{}, temperature{};
 
   bool has(const MeasuredPoint& point) const {
-    return (loadText.empty() || textOf(*load, point) == loadText) &&
-           (temperature.empty() || textOf(kTemperature, point) == temperature);
+    return (loadText.empty() || load->textOf(point) == loadText) &&
+           (temperature.empty() || kTemperature.textOf(point) == temperature);
   }
   Message name(const std::string& table) const {
     Message name(table);

@@ -12,6 +12,7 @@
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
+#include "core/material/isotherms.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -236,8 +237,8 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
   if (set.isReduced && isPhysical && set.isOfVelocity())
-    diagram.x.title = message("reduced sliding velocity a\u1D1B v at {:.5g} K",
-                              set.present.scene.elastomer.temperature);
+    diagram.x.title = message("reduced sliding velocity a\u1D1B v at {}",
+                              celsius(set.present.scene.elastomer.temperature));
 }
 
 /// Returns whether Eq. (11) is drawn from the points of the curve; otherwise it is one of the
@@ -362,8 +363,8 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "mu_total as the vertical axis, all do.");
   for (const NamedCurve& curve : set.pinned)
     if (std::isnan(reduction(curve.scene, set)))
-      notes.push_back(message("{} is not shown: its rubber has no shift at {:.5g} K.", curve.name,
-                              scene.elastomer.temperature));
+      notes.push_back(message("{} is not shown: its rubber has no shift at {}.", curve.name,
+                              celsius(scene.elastomer.temperature)));
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
   if (isEmpty(sheet.diagrams.front())) setEmptyAxes(sheet.diagrams.front(), set.quantity());

@@ -179,12 +179,12 @@
         <translation>ein logarithmischer Bereich braucht Enden über 0; %1 ist es nicht</translation>
     </message>
     <message>
-        <source>reduced sliding velocity aᴛ v at %1 K</source>
-        <translation>reduzierte Gleitgeschwindigkeit aᴛ v bei %1 K</translation>
+        <source>reduced sliding velocity aᴛ v at %1</source>
+        <translation>reduzierte Gleitgeschwindigkeit aᴛ v bei %1</translation>
     </message>
     <message>
-        <source>%1 is not shown: its rubber has no shift at %2 K.</source>
-        <translation>%1 wird nicht gezeigt: Das Elastomer hat bei %2 K keine Verschiebung.</translation>
+        <source>%1 is not shown: its rubber has no shift at %2.</source>
+        <translation>%1 wird nicht gezeigt: Das Elastomer hat bei %2 keine Verschiebung.</translation>
     </message>
     <message>
         <source>with local friction</source>

@@ -7,6 +7,7 @@
 
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
+#include "core/material/isotherms.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
@@ -42,7 +43,7 @@ QStringList reducedLines(const CurveSet& set, double velocity, double reduced, d
   QStringList lines;
   if (set.axes == CurveAxes::Physical && reduced != velocity)
     lines += withUnit(QStringLiteral("a\u1D1B v"), reduced, "m/s");
-  if (std::isfinite(temperature)) lines += withUnit(QStringLiteral("T"), temperature, "K", 4);
+  if (std::isfinite(temperature)) lines += "T = " + translatedText(celsius(temperature));
   return lines;
 }
 

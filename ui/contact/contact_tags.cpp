@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "core/material/element_law.h"
+#include "core/material/isotherms.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -154,7 +156,7 @@ std::string elastomerWords(const Frame& frame) {
     return law.relaxationTime == elastomer.relaxationTime
                ? filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2"), {modulus, time})
                : filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2 at %3"),
-                        {modulus, time, quantity(elastomer.temperature, "K")});
+                        {modulus, time, translated(celsius(elastomer.temperature))});
   }
   return filled(law.arms.size() == 1 ? Words::tr("viscoelastic, G\u221E = %1, %2 arm")
                                      : Words::tr("viscoelastic, G\u221E = %1, %2 arms"),
