@@ -127,7 +127,7 @@ std::optional<DiagramRamp> familyRamp(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
   const auto text = [&](const NamedCurve& curve) {
-    return Message::name(printedQuantity(curve.familyValue, row.unit));
+    return message("{}", printedValue(curve.familyValue, row));
   };
   return DiagramRamp{Message(row.label), text(set.pinned.front()),
                      text(set.pinned[familySize(set) - 1])};

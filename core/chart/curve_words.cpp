@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/material/isotherms.h"
 #include "core/material/temperature_shift.h"
-#include "core/scene/parameters.h"
 
 namespace asperity {
 namespace {
@@ -23,12 +23,6 @@ std::string printedSymbol(std::string_view symbol) {
   for (const auto& [word, letter] : letters)
     if (symbol == word) return std::string(letter);
   return std::string(symbol);
-}
-
-/// Returns a value of a row with its unit; a pure number has all digits that were entered.
-PrintedNumber printedValue(double value, const Parameter& row) {
-  constexpr int kDigits = 6;
-  return row.unit.empty() ? printed(value, kDigits) : printed(value, row.unit);
 }
 
 /// Returns the parameter as text; empty where the row has no symbol, or the effect is not present.
@@ -104,6 +98,12 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 }
 
 }  // namespace
+
+PrintedNumber printedValue(double value, const Parameter& row) {
+  constexpr int kDigits = 6;
+  if (quantityRule(row).isTemperature) return {celsius(value).english()};
+  return row.unit.empty() ? printed(value, kDigits) : printed(value, row.unit);
+}
 
 Message parameterTitle(std::string_view key) {
   if (key == kVelocityKey) return "sliding velocity v";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/scene/parameters.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -13,6 +14,10 @@ namespace asperity {
 /// Returns the title of an axis over a parameter: "normal force F\u2099", "sliding velocity v";
 /// without a symbol "seed".
 Message parameterTitle(std::string_view key);
+
+/// Returns a value of a row with its unit, a temperature in degrees Celsius; a pure number has all
+/// digits that were entered.
+PrintedNumber printedValue(double value, const Parameter& row);
 
 /// Returns one parameter: "H = 0.3", "F\u2099 = 10 mN"; without a symbol, "seed 3", "linear". Empty
 /// for arms and for an unknown key.
