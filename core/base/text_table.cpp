@@ -174,10 +174,6 @@ void moveListsAbove(TextTable& table) {
 
 namespace {
 
-bool isDrawn(const TextEntry& entry) {
-  return joinEntry(entry).find_first_not_of("-=_+|;,* ") == std::string::npos;
-}
-
 /// A clause that is a name, a number and a unit and nothing else.
 struct StatedClause {
   std::string quantity{};  // by the caller's word
@@ -229,7 +225,7 @@ std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity&
   if (table.trailer.size() > kMaxLines || std::ranges::any_of(table.trailer, isOfDuration))
     return lines;
   for (const TextEntry& entry : table.trailer) {
-    if (isDrawn(entry) || isOfRecord(entry)) continue;
+    if (isRule(joinEntry(entry)) || isOfRecord(entry)) continue;
     const std::string line = joinEntry(entry);
     const std::vector<std::string_view> clauses = splitClauses(line);
     const auto isStated = [&](std::string_view clause) {
@@ -270,7 +266,7 @@ bool restates(const TextBlock& block, const StatedQuantity& quantityOf,
               std::vector<TextEntry>& above) {
   bool hasOtherValue = false;
   for (const TextEntry& entry : block.header) {
-    if (isDrawn(entry)) continue;
+    if (isRule(joinEntry(entry))) continue;
     Difference difference = Difference::Other;
     const auto same = std::ranges::find_if(above, [&](const TextEntry& one) {
       difference = compareLines(one, entry, quantityOf);
