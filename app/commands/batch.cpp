@@ -217,9 +217,9 @@ class BatchRun {
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
-      result.lineMu = frame.transient ? frame.muMarch : frame.muSteady;
-      result.lineIndentation = frame.indentation;
-      result.lineContactFraction = frame.contactFraction;
+      result.lineMu = frame.state.mu;
+      result.lineIndentation = frame.state.indentation;
+      result.lineContactFraction = frame.state.contactFraction;
       write(result, shown, content, frame, pictures);
       if (result.missed.empty()) finished_.emplace(key, BatchProgressEntry{result, curve});
     }

@@ -147,7 +147,7 @@ std::vector<double> coveredParts(const Frame& frame) {
     touching += 1;
     edges += touches(i + 1) && touches(i + n - 1) ? 0 : 1;
   }
-  const double covered = frame.contactFraction * static_cast<double>(n);
+  const double covered = frame.state.contactFraction * static_cast<double>(n);
   const double inside = touching - edges;
   if (!(touching > 0) || !(covered > 0)) return cover;
   const bool atEdges = edges > 0 && covered > inside;
@@ -182,7 +182,7 @@ Diagram pressureDiagram(const Frame& frame) {
     weights.push_back(cover[i]);
   }
   if (pressures.empty()) return diagram;
-  const double mean = frame.normalForce / (frame.contactFraction * frame.length);
+  const double mean = frame.state.normalForce / (frame.state.contactFraction * frame.length);
   double most = weightedPercentile99(pressures, weights);
   if (std::isfinite(mean)) most = std::max(mean, most);
   diagram.series = {

@@ -445,27 +445,27 @@ Frame Simulation::marchedFrame() const {
 
 /// Sets all results to those of the steady state; the march adds its own friction.
 void Simulation::addSteady(Frame& frame) const {
-  setSteadyFacts(frame, ready_->steady.result);
+  frame.state = contactState(ready_->steady.result);
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   if (frame.velocity == 0) frame.muMarch = 0;  // nothing is worked, also while the contact relaxes
   // On the way there, the points of the picture still bear the load.
   frame.steadyPressure =
       isSettling() && std::isnan(ready_->greatestPressure) ? 0 : ready_->greatestPressure;
   frame.isSettling = isSettling();
-  if (frame.isSettling) frame.drawn = marchedState(frame);
+  if (frame.isSettling) frame.marched = marchedState(frame);
 }
 
 ContactState Simulation::marchedState(const Frame& frame) const {
   const Pressed pressed = pressedIn(frame);
-  ContactState drawn{.indentation = march_->indentation(),
+  ContactState state{.indentation = march_->indentation(),
                      .normalForce = pressed.force,
                      .contactFraction = pressed.fraction,
                      .mu = frame.muMarch};
-  drawn.tangentialForce = std::abs(drawn.mu) * drawn.normalForce;
+  state.tangentialForce = std::abs(state.mu) * state.normalForce;
   if (hasLocalFriction(*ready_->scene))
-    drawn.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity),
-                                      drawn.normalForce, drawn.contactFraction * frame.length);
-  return drawn;
+    state.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity),
+                                      state.normalForce, state.contactFraction * frame.length);
+  return state;
 }
 
 /// Returns the time (s) after which the initial state no longer matters: ten of the longest
@@ -498,29 +498,30 @@ double Simulation::awayFromSteady() const {
 void Simulation::addMotion(Frame& frame) const {
   const std::vector<TransientSample>& samples = motion_->samples();
   frame.nextStep = motion_->transient().nextStep();
-  frame.indentation = march().indentation();
+  ContactState& state = frame.state;
+  state.indentation = march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples);
   if (const auto& later = motion_->later(); !later.empty())
     frame.later = std::make_shared<const std::vector<TransientSample>>(later);
   if (samples.empty()) {  // the force is balanced from the beginning
     const Pressed pressed = pressedIn(frame);
-    frame.normalForce = pressed.force;
-    frame.contactFraction = pressed.fraction;
+    state.normalForce = pressed.force;
+    state.contactFraction = pressed.fraction;
     // Without sliding there is no tangential force; a remainder is the error of the elements.
-    frame.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
-    if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
+    state.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
+    if (pressed.force > 0) state.mu = state.tangentialForce / pressed.force;
     if (frame.velocity != 0)
-      frame.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity), pressed.force,
+      state.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity), pressed.force,
                                         pressed.fraction * frame.length);
     return;
   }
   const TransientSample& now = samples.back();
-  frame.normalForce = now.normalForce;
-  frame.tangentialForce = std::abs(now.tangentialForce);
-  frame.contactFraction = now.contactFraction;
-  frame.muMarch = now.mu;
+  state.normalForce = now.normalForce;
+  state.tangentialForce = std::abs(now.tangentialForce);
+  state.contactFraction = now.contactFraction;
+  state.mu = now.mu;
+  state.muInterface = now.muInterface;
   frame.muError = recentError(samples);
-  frame.muInterface = now.muInterface;
 }
 
 }  // namespace asperity

@@ -109,7 +109,7 @@ std::string frictionName(const Frame& frame, bool brief) {
 }
 
 Tag normalForceTag(const Frame& frame) {
-  return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
+  return {{{"F"}, {"N", false, true}, {" = " + quantity(frame.drawn().normalForce, "N")}},
           ArrowDirection::Down,
           {},
           ContactHandle::Force,
@@ -119,7 +119,7 @@ Tag normalForceTag(const Frame& frame) {
 Tag frictionTag(const Frame& frame, bool brief) {
   return {{{frictionName(frame, brief)},
            {"x", false, true},
-           {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
+           {" = " + quantity(frictionForce(frame.drawn()), "N")}},
           pushesRight(frame) ? ArrowDirection::Right : ArrowDirection::Left,
           {},
           ContactHandle::None,
@@ -131,7 +131,7 @@ Tag frictionTag(const Frame& frame, bool brief) {
 
 std::vector<Tag> forceTags(const Frame& frame, bool brief) {
   std::vector<Tag> tags;
-  const ContactState state = drawnState(frame);
+  const ContactState& state = frame.drawn();
   if (state.normalForce > 0) tags.push_back(normalForceTag(frame));
   // Without friction (none, a state without it, or one below its own error, as after a stop)
   // rounding errors get no arrow.
