@@ -91,7 +91,8 @@ class BatchRun {
     // The small files with the results are written first: the sheets are large, and may fail.
     const std::string made = provenanceComment(origin("results.csv"));
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
-    writeFileAtomically(fileIn("results.csv"), made + columns_.select(batchTable(results_)));
+    writeFileAtomically(fileIn("results.csv"),
+                        made + columns_.select(tableCsv(batchTable(results_))));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // The provenance of the table has the scenes; a single contact sheet repeats them.
     const std::string ofSheets =
@@ -381,7 +382,8 @@ class BatchRun {
     for (const BatchResult& result : results_) {
       Json entry = {{"name", result.item.name}, {"files", result.files}};
       if (!result.fault().empty()) {
-        ++(result.item.error.empty() ? missed : bad);
+        int& count = result.item.error.empty() ? missed : bad;
+        ++count;
         entry["error"] = result.fault().english();
         printError(InputError(command_.common.scene, result.item.name, result.fault()).what());
       }
