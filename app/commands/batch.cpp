@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -235,9 +236,7 @@ class BatchRun {
   static std::vector<FrictionData> measuredFriction(BatchResult& result, PictureLayout layout) {
     std::vector<FrictionData> measured;
     if (showsCurve(layout)) measured = readComparisonData(result.item.scene);
-    for (const FrictionData& table : measured)
-      for (const Message& note : table.notes)
-        result.reading.push_back(message("{}: {}", Message::name(table.name), note));
+    std::ranges::move(notesOf(measured), std::back_inserter(result.reading));
     return measured;
   }
 

@@ -165,9 +165,8 @@ std::shared_ptr<SurfaceOfScene> makeSurface(const Scene& scene, bool isOfFile,
   throwIfStopped(stop);
   for (std::size_t i = 0; i < found->line.nodes(); ++i)
     found->position.push_back(static_cast<double>(i) * found->line.spacing);
-  for (const Message& fact :
-       source.measured() ? factsOf(measuredSummary(scene, source)) : source.spectrumFacts())
-    found->facts.push_back(fact.english());
+  found->facts = englishOf(source.measured() ? factsOf(measuredSummary(scene, source))
+                                             : source.spectrumFacts());
   return found;
 }
 

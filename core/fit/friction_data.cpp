@@ -242,6 +242,14 @@ FrictionData readPoints(const TextTable& table, const std::string& name,
 
 }  // namespace
 
+std::vector<Message> notesOf(std::span<const FrictionData> tables) {
+  std::vector<Message> notes;
+  for (const FrictionData& table : tables)
+    for (const Message& note : table.notes)
+      notes.push_back(message("{}: {}", Message::name(table.name), note));
+  return notes;
+}
+
 InputError missingFrictionData() {
   return {"", "--data", "no measured friction is given, nor named by the scene"};
 }

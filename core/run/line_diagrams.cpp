@@ -162,9 +162,7 @@ std::vector<double> coveredParts(const Frame& frame) {
 /// Returns the value below which 99 % of the weight lies: the few elements at the edges of contact
 /// with the highest loads are far away from all others.
 double weightedPercentile99(const std::vector<double>& values, const std::vector<double>& weights) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  const std::vector<std::size_t> order = ascendingOrder(values);
   double left = 0.99 * std::accumulate(weights.begin(), weights.end(), 0.0);
   for (const std::size_t i : order)
     if ((left -= weights[i]) <= 0) return values[i];
