@@ -3,22 +3,22 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 
 namespace asperity {
 
 /// What a cell holds beside its number.
 struct TextCell {
-  std::string text{};  // the whole cell; empty where it has no more than a number
-  std::string unit{};  // as written; empty where the cell has none
-  double error = std::numeric_limits<double>::quiet_NaN();      // in the unit of the number
-  double imaginary = std::numeric_limits<double>::quiet_NaN();  // of a complex number
+  std::string text{};       // the whole cell; empty where it has no more than a number
+  std::string unit{};       // as written; empty where the cell has none
+  double error = kNaN;      // in the unit of the number
+  double imaginary = kNaN;  // of a complex number
 };
 
 /// The signs between a number and its error.

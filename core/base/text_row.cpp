@@ -1,7 +1,6 @@
 #include "core/base/text_row.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace asperity {
@@ -34,6 +33,7 @@ std::vector<std::string_view> RowReader::split(std::string_view line) const {
 
 TextRow RowReader::read(std::string_view line) const {
   TextRow row{split(line)};
+  row.values.reserve(row.size());
   for (const std::string_view field : row.fields) {
     TextCell rest;
     row.values.push_back(readField(field, rest));
@@ -47,8 +47,7 @@ TextRow RowReader::read(std::string_view line) const {
 Field RowReader::readField(std::string_view text, TextCell& rest) const {
   const Field field = asperity::readField(text, dialect_.decimal);
   if (field.kind != FieldKind::Text) return field;
-  if (options_.datesAreMissing && isDateOrTime(text))
-    return {FieldKind::Missing, std::numeric_limits<double>::quiet_NaN()};
+  if (options_.datesAreMissing && isDateOrTime(text)) return {FieldKind::Missing, kNaN};
   if (!options_.readsCells) return field;
   auto cell = readCell(text, dialect_.decimal);
   if (!cell) return field;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -335,7 +334,7 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       for (std::size_t row = 0; row < block.rows; ++row) {
         double& value = block.at(row, i);
         value = std::pow(found->second, value);
-        if (std::isinf(value)) value = std::numeric_limits<double>::quiet_NaN();
+        if (std::isinf(value)) value = kNaN;
       }
     }
 }

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "core/base/column_units.h"
 #include "core/base/input_error.h"
 #include "core/base/quoted_names.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_encoding.h"
@@ -55,34 +55,30 @@ class TableReader {
   [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
 
   /// Throws InputError that names the line most similar to a row.
-  [[noreturn]] void refuseWithoutRows() {
-    const auto eachField = [this](const auto& use) {
-      for (const TextLine& line : above_) {
-        if (isComment(line.text)) continue;
-        const TextRow row = rows_.read(line.text);
-        for (std::size_t i = 0; row.size() > 1 && i < row.size(); ++i) use(line.number, row, i);
-      }
-    };
-    eachField([this](std::size_t number, const TextRow& row, std::size_t i) {
-      if (row.is(i, FieldKind::Text) &&
-          row.fields[i].find_first_of("0123456789") != std::string_view::npos)
-        fail(message("has no rows of numbers; line {}: '{}' is not a number", number,
-                     shortened(trimmedField(row.fields[i]))));
-    });
+  [[noreturn]] void refuseWithoutRows() const {
+    std::vector<std::pair<std::size_t, TextRow>> rows;
+    for (const TextLine& line : above_)
+      if (!isComment(line.text)) rows.emplace_back(line.number, rows_.read(line.text));
+    std::erase_if(rows, [](const auto& numbered) { return numbered.second.size() < 2; });
+    for (const auto& [number, row] : rows)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (row.is(i, FieldKind::Text) &&
+            row.fields[i].find_first_of("0123456789") != std::string_view::npos)
+          fail(message("has no rows of numbers; line {}: '{}' is not a number", number,
+                       shortened(trimmedField(row.fields[i]))));
     // A row that would be one with a number in its empty field.
-    eachField([this](std::size_t number, const TextRow& row, std::size_t i) {
-      if (row.is(i, FieldKind::Missing))
-        fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
-                     i + 1));
-    });
+    for (const auto& [number, row] : rows)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (row.is(i, FieldKind::Missing))
+          fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
+                       i + 1));
     // A name and numbers behind it, as where each row is a quantity.
-    eachField([this](std::size_t number, const TextRow& row, std::size_t i) {
-      if (i == 0 && row.size() > 2 && row.is(0, FieldKind::Text) && row.areNumbers(1, row.size()))
+    for (const auto& [number, row] : rows)
+      if (row.size() > 2 && row.is(0, FieldKind::Text) && row.areNumbers(1, row.size()))
         fail(
             message("has no rows of numbers; line {} has '{}' in front of its numbers: write each "
                     "quantity in a column, with its name above it",
                     number, shortened(trimmedField(row.fields[0]))));
-    });
     fail("has no rows of numbers");
   }
 
@@ -292,7 +288,7 @@ class TableReader {
   void append(const TextLine& line) {
     if (!above_.empty() && !goesOn()) return start(line);
     const std::size_t columns = block().columns.size();
-    numbers_.assign(columns, std::numeric_limits<double>::quiet_NaN());
+    numbers_.assign(columns, kNaN);
     for (std::size_t i = 0; i < columns; ++i) {
       const bool isThere = i < row_.size();
       if (isThere && row_.is(i, FieldKind::Text) && options_.keepsTexts &&
@@ -322,8 +318,7 @@ class TableReader {
       if (!std::isnan(value) && value != 0 && value != 1) hasNumbers[i % columns] = true;
     }
     for (const std::size_t index : flags_)
-      if (hasNumbers[index % columns])
-        last.values[index] = std::numeric_limits<double>::quiet_NaN();
+      if (hasNumbers[index % columns]) last.values[index] = kNaN;
     flags_.clear();
   }
 
@@ -341,7 +336,7 @@ class TableReader {
     auto blank = blanks.begin();
     for (std::size_t row = 0; row < last.rows; ++row) {
       if (blank != blanks.end() && blank->first == row) {
-        values.insert(values.end(), blank->second, std::numeric_limits<double>::quiet_NaN());
+        values.insert(values.end(), blank->second, kNaN);
         lines.insert(lines.end(), blank->second, last.lines[row]);
         ++blank;
       }
