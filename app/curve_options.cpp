@@ -140,11 +140,7 @@ ParameterRange familyRange(const CurveArguments& arguments, const Scene& scene) 
   const ParameterRange range = parseRangeOption(kFamily, arguments.family);
   if (range.key() == scene.sweep.key)
     throw InputError("", kFamily, message("{} is the axis of the curves already", range.key()));
-  const Sweep& sweep = scene.sweep;
-  const ParameterRange axis{&sweptParameter(scene),
-                            sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from,
-                            sweep.isOfVelocity() ? sweep.velocityTo : sweep.to};
-  if (Message reason = whyNotBeside(*range.row, scene, axis); !reason.empty())
+  if (Message reason = whyNotBeside(*range.row, scene, sweepRange(scene)); !reason.empty())
     throw InputError("", kFamily, std::move(reason));
   checkRange(range, scene);
   if (range.points > kMaxFamily)
@@ -423,7 +419,7 @@ nlohmann::ordered_json measuredPoints(const MeasuredCurve& measured) {
   auto points = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < measured.data.points.size(); ++i) {
     const MeasuredPoint& point = measured.data.points[i];
-    const double mu = i < measured.computed.size() ? totalMu(measured.computed[i]) : kNotApplicable;
+    const double mu = measured.computedMu(i);
     points.push_back({{"velocity", point.velocity},
                       {"mu_measured", point.mu},
                       {"mu_error", numberOrNull(point.muError)},

@@ -190,8 +190,10 @@ void checkOutput(const Remake& remake, const OpenCommand& command,
   if (!isStandardOutput) {
     if (remake.words.front() == "figure")
       check({".csv", ".png", ".svg", ".pdf"});
+    else if (isPicture && remake.words.front() == "batch")
+      check({".png"});
     else if (isPicture)
-      remake.words.front() == "batch" ? check({".png"}) : check({".png", ".svg", ".pdf"});
+      check({".png", ".svg", ".pdf"});
     else
       check({".csv", ".json"});
     checkWritable(remake.output);

@@ -9,7 +9,6 @@
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/scene/columns.h"
-#include "core/scene/data_table.h"
 #include "core/scene/parameters.h"
 #include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
@@ -190,38 +189,40 @@ std::string batchPage(const Batch& batch, const std::vector<BatchResult>& result
          filled(Words::tr("Made by Asperity %1."), {ASPERITY_VERSION}) + "</p>\n</body>\n</html>\n";
 }
 
-std::string batchTable(const std::vector<BatchResult>& results) {
+DataTable batchTable(const std::vector<BatchResult>& results) {
   std::vector<std::string> keys;
   for (const BatchResult& result : results)
     for (const auto& [key, value] : result.item.varied)
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-  std::string text = joinedColumns({"name"}) + ",";
-  for (const std::string& key : keys) text += csvCell(key) + ",";
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
   const bool anyTotal = std::ranges::any_of(results, hasTotal);
-  text += joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error"}) + ",";
-  if (anyTotal) text += joinedColumns({"mu_total"}) + ",";
-  text += joinedColumns(
-              {"realizations", "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
-          "\n";
+  DataTable table{columnNames({"name"}), {}};
+  const auto addColumns = [&table](const std::vector<std::string>& names) {
+    table.columns.insert(table.columns.end(), names.begin(), names.end());
+  };
+  addColumns(keys);
+  addColumns(columnNames({"mu", "indentation", "contact_fraction", "mu_standard_error"}));
+  if (anyTotal) addColumns(columnNames({"mu_total"}));
+  addColumns(columnNames(
+      {"realizations", "line_mu", "line_indentation", "line_contact_fraction", "error"}));
   for (const BatchResult& result : results) {
-    text += result.item.name + ",";
+    std::vector<TableCell>& row = table.rows.emplace_back();
+    row.emplace_back(result.item.name);
     for (const std::string& key : keys) {
-      for (const auto& [own, value] : result.item.varied)
-        if (own == key) text += csvCell(value);
-      text += ",";
+      const auto own =
+          std::ranges::find(result.item.varied, key, &std::pair<std::string, std::string>::first);
+      row.emplace_back(own == result.item.varied.end() ? std::string() : own->second);
     }
     const auto& mean = result.mean;
-    const auto ofMean = [&](double CurvePoint::*member) {
-      return mean ? csvNumber((*mean).*member) : std::string();
-    };
-    text += fmt::format("{},{},{},{},", ofMean(&CurvePoint::mu), ofMean(&CurvePoint::indentation),
-                        ofMean(&CurvePoint::contactFraction), ofMean(&CurvePoint::muStandardError));
-    if (anyTotal) text += (mean ? csvNumber(totalMu(*mean)) : std::string()) + ",";
-    text += fmt::format("{},{},{},{},{}\n", mean ? std::to_string(mean->realizations) : "",
-                        csvNumber(result.lineMu), csvNumber(result.lineIndentation),
-                        csvNumber(result.lineContactFraction), csvCell(result.fault().english()));
+    for (const auto member : {&CurvePoint::mu, &CurvePoint::indentation,
+                              &CurvePoint::contactFraction, &CurvePoint::muStandardError})
+      row.emplace_back(mean ? (*mean).*member : kNotApplicable);
+    if (anyTotal) row.emplace_back(mean ? totalMu(*mean) : kNotApplicable);
+    row.push_back(mean ? TableCell(mean->realizations) : kNotApplicable);
+    for (const double ofLine : {result.lineMu, result.lineIndentation, result.lineContactFraction})
+      row.emplace_back(ofLine);
+    row.emplace_back(result.fault().english());
   }
-  return text;
+  return table;
 }
 
 }  // namespace asperity

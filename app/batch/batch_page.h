@@ -8,6 +8,7 @@
 
 #include "app/batch/batch_file.h"
 #include "core/friction/curve_point.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
 
@@ -67,6 +68,6 @@ std::string batchPage(const Batch& batch, const std::vector<BatchResult>& result
 
 /// Returns a table with one row for each item: name, the keys varied in any item, means over the
 /// scene's lines, number of lines, results of the line in the picture, error or missed target.
-std::string batchTable(const std::vector<BatchResult>& results);
+DataTable batchTable(const std::vector<BatchResult>& results);
 
 }  // namespace asperity

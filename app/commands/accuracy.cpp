@@ -41,7 +41,7 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
 }
 
 void writePictures(const FolderCommand& command, const WorkPrecision& comparison) {
-  HeadlessPictures pictures;
+  HeadlessPictures pictures(pictureSettings(command.picture).backend);
   const auto write = [&](const DiagramSheet& sheet, const std::string& name) {
     const ProvenanceOptions given(optionsInFolder(command.common.given, name + ".png"));
     const std::string origin = pictureOrigin("accuracy", comparison.scene);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -91,7 +92,8 @@ class BatchRun {
     // The small files with the results are written first: the sheets are large, and may fail.
     const std::string made = provenanceComment(origin("results.csv"));
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
-    writeFileAtomically(fileIn("results.csv"), made + columns_.select(batchTable(results_)));
+    writeFileAtomically(fileIn("results.csv"),
+                        made + columns_.select(tableCsv(batchTable(results_))));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // The provenance of the table has the scenes; a single contact sheet repeats them.
     const std::string ofSheets =
@@ -217,9 +219,9 @@ class BatchRun {
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
-      result.lineMu = frame.transient ? frame.muMarch : frame.muSteady;
-      result.lineIndentation = frame.indentation;
-      result.lineContactFraction = frame.contactFraction;
+      result.lineMu = frame.state.mu;
+      result.lineIndentation = frame.state.indentation;
+      result.lineContactFraction = frame.state.contactFraction;
       write(result, shown, content, frame, pictures);
       if (result.missed.empty()) finished_.emplace(key, BatchProgressEntry{result, curve});
     }
@@ -234,9 +236,7 @@ class BatchRun {
   static std::vector<FrictionData> measuredFriction(BatchResult& result, PictureLayout layout) {
     std::vector<FrictionData> measured;
     if (showsCurve(layout)) measured = readComparisonData(result.item.scene);
-    for (const FrictionData& table : measured)
-      for (const Message& note : table.notes)
-        result.reading.push_back(message("{}: {}", Message::name(table.name), note));
+    std::ranges::move(notesOf(measured), std::back_inserter(result.reading));
     return measured;
   }
 
@@ -381,7 +381,8 @@ class BatchRun {
     for (const BatchResult& result : results_) {
       Json entry = {{"name", result.item.name}, {"files", result.files}};
       if (!result.fault().empty()) {
-        ++(result.item.error.empty() ? missed : bad);
+        int& count = result.item.error.empty() ? missed : bad;
+        ++count;
         entry["error"] = result.fault().english();
         printError(InputError(command_.common.scene, result.item.name, result.fault()).what());
       }

@@ -19,7 +19,6 @@
 #include "core/scene/sweep.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
 
 namespace asperity {
 namespace {
@@ -58,8 +57,7 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   if (scene.sweep.key != "load.width")
     text += translatedLine(pressureNote(curve.points, scene.load.width));
   for (const MeasuredCurve& measured : set.measured)
-    for (const Message& note : measured.data.notes)
-      text += measured.data.name + ": " + translated(note) + "\n";
+    text += translatedLines(notesOf({&measured.data, 1}));
   text += translatedLines(set.notes);
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);

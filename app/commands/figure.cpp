@@ -122,7 +122,7 @@ struct ComputedFigures {
 
 ComputedFigures makeFigures(const FigureCommand& command, const std::vector<FigureName>& names) {
   ComputedFigures made;
-  HeadlessPictures pictures;
+  HeadlessPictures pictures(pictureSettings(command.picture).backend);
   for (const FigureName name : names) {
     const auto start = std::chrono::steady_clock::now();
     ProgressBar bar(filled(Words::tr("figure %1"), {std::string(figureEntry(name).word)}),

@@ -62,10 +62,6 @@ Json probeJson(const ProbeReading& reading) {
   return json;
 }
 
-double lineFriction(const Frame& frame) {
-  return frame.transient ? frame.muMarch : frame.muSteady;
-}
-
 /// One run of the command, from its options to the files it writes.
 class Rendering {
  public:
@@ -108,7 +104,7 @@ class Rendering {
   void requireTargets() const { curves_.requireTargets(); }
 
   std::string summary() const {
-    std::string text = "mu = " + answerNumber(lineFriction(last_), 6);
+    std::string text = "mu = " + answerNumber(last_.state.mu, 6);
     if (std::isfinite(last_.muError)) text += " \u00B1 " + answerNumber(last_.muError, 2);
     text += "\n" + translatedLines(reading_);
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
@@ -129,12 +125,11 @@ class Rendering {
   Json json() const {
     Json answer = origin();
     addReadingFacts(answer, reading_);
-    const double mu = lineFriction(last_);
-    answer["mu"] = numberOrNull(mu);
+    answer["mu"] = numberOrNull(last_.state.mu);
     if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;
-    if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
-    answer["indentation"] = last_.indentation;
-    answer["contact_fraction"] = last_.contactFraction;
+    if (last_.state.muInterface > 0) answer["mu_interface"] = last_.state.muInterface;
+    answer["indentation"] = last_.state.indentation;
+    answer["contact_fraction"] = last_.state.contactFraction;
     answer["derived"] = derivedNumbers(last_);
     if (command_.view.probe)
       if (const auto reading = probeReading(last_, *command_.view.probe))

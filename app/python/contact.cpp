@@ -60,16 +60,17 @@ std::shared_ptr<Contact> findContact(const Scene& scene, std::int64_t realizatio
   return contact;
 }
 
-template <class Member>
+/// Returns a function that makes an array of a vector in what was found, without a copy.
+template <class Found, class Member>
 auto viewed(Member member) {
   return [member](const py::object& self) {
-    return arrayView(std::invoke(member, self.cast<const Contact&>()), self);
+    return arrayView(std::invoke(member, self.cast<const Found&>()), self);
   };
 }
 
 void addContactClass(py::module_& module) {
   const auto ofFrame = [](std::vector<double> Frame::*field) {
-    return viewed([field](const Contact& contact) -> const std::vector<double>& {
+    return viewed<Contact>([field](const Contact& contact) -> const std::vector<double>& {
       return contact.frame.*field;
     });
   };
@@ -77,10 +78,10 @@ void addContactClass(py::module_& module) {
     return [field](const Contact& contact) { return contact.result.*field; };
   };
   py::class_<Contact, std::shared_ptr<Contact>>(module, "Contact")
-      .def_property_readonly("x", viewed(&Contact::position))
+      .def_property_readonly("x", viewed<Contact>(&Contact::position))
       .def_property_readonly("z", ofFrame(&Frame::lineHeight))
       .def_property_readonly("u", ofFrame(&Frame::surfaceHeight))
-      .def_property_readonly("gap", viewed(&Contact::gap))
+      .def_property_readonly("gap", viewed<Contact>(&Contact::gap))
       .def_property_readonly("p", ofFrame(&Frame::pressure))
       .def_property_readonly("slope", ofFrame(&Frame::lineSlope))
       .def_property_readonly("time_since_contact", ofFrame(&Frame::sinceContact))
@@ -165,9 +166,8 @@ std::shared_ptr<SurfaceOfScene> makeSurface(const Scene& scene, bool isOfFile,
   throwIfStopped(stop);
   for (std::size_t i = 0; i < found->line.nodes(); ++i)
     found->position.push_back(static_cast<double>(i) * found->line.spacing);
-  for (const Message& fact :
-       source.measured() ? factsOf(measuredSummary(scene, source)) : source.spectrumFacts())
-    found->facts.push_back(fact.english());
+  found->facts = englishOf(source.measured() ? factsOf(measuredSummary(scene, source))
+                                             : source.spectrumFacts());
   return found;
 }
 
@@ -205,19 +205,16 @@ void addContact(py::module_& module) {
            })
       .def("mu_error", [](const MotionOfScene& found) { return found.table.muError; })
       .def("relative_error", [](const MotionOfScene& found) { return found.table.relativeError; });
+  const auto ofLine = [](std::vector<double> Line::*field) {
+    return viewed<SurfaceOfScene>(
+        [field](const SurfaceOfScene& found) -> const std::vector<double>& {
+          return found.line.*field;
+        });
+  };
   py::class_<SurfaceOfScene, std::shared_ptr<SurfaceOfScene>>(module, "Surface")
-      .def("position",
-           [](const py::object& self) {
-             return arrayView(self.cast<const SurfaceOfScene&>().position, self);
-           })
-      .def("height",
-           [](const py::object& self) {
-             return arrayView(self.cast<const SurfaceOfScene&>().line.height, self);
-           })
-      .def("slope",
-           [](const py::object& self) {
-             return arrayView(self.cast<const SurfaceOfScene&>().line.slopeAfter, self);
-           })
+      .def("position", viewed<SurfaceOfScene>(&SurfaceOfScene::position))
+      .def("height", ofLine(&Line::height))
+      .def("slope", ofLine(&Line::slopeAfter))
       .def("scene", [](const SurfaceOfScene& found) { return found.scene; })
       .def("facts", [](const SurfaceOfScene& found) { return found.facts; })
       .def("csv",

@@ -42,12 +42,7 @@ MaterialChoices orderedChoices(WrittenOptions options) {
 void addMaterial(py::module_& module) {
   py::class_<Material, std::shared_ptr<Material>>(module, "Material")
       .def("json", &materialJson)
-      .def("summary",
-           [](const Material& material) {
-             Texts lines;
-             for (const Message& line : materialSummary(material)) lines.push_back(line.english());
-             return lines;
-           })
+      .def("summary", [](const Material& material) { return englishOf(materialSummary(material)); })
       .def("is_measured", &Material::isMeasured)
       .def("prony_csv", &pronyCsv)
       .def("isotherms_csv", &isothermsCsv)

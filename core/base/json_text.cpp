@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
+#include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 
@@ -190,6 +191,17 @@ nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& nam
   Reader reader(text, deepest, &name);
   Json::sax_parse(text, &reader);
   return reader.root().is_object() ? std::move(reader.root()) : Json();
+}
+
+bool isFileOfSchema(const std::filesystem::path& file, std::size_t limit,
+                    std::string_view beginning) {
+  constexpr int kDeepest = 16;  // of members in front of the schema
+  try {
+    const Json members = membersUpTo(readRegularFile(file, limit), "schema", kDeepest);
+    return textMember(members, "schema").starts_with(beginning);
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 Json jsonValue(std::string_view text) {

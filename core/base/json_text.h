@@ -1,10 +1,12 @@
 // Reads JSON that a user wrote, such as scenes and studies: texts, with refusal of errors that a
 // parser would accept silently, and the members of objects, with errors that name their path:
-// "space.load.normal_force.from". Also makes single values of JSON. Pure; any thread.
+// "space.load.normal_force.from". Also makes single values of JSON. Pure except for isFileOfSchema;
+// any thread.
 // Failure: InputError with the path and what is allowed.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -29,6 +31,11 @@ nlohmann::ordered_json parseJson(std::string_view text, int deepest,
 /// all of them where this one is not there, and null where the text is no object. Throws as
 /// parseJson.
 nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& name, int deepest);
+
+/// Returns whether a regular file of at most `limit` bytes is JSON whose schema begins like this;
+/// false where it cannot be read.
+bool isFileOfSchema(const std::filesystem::path& file, std::size_t limit,
+                    std::string_view beginning);
 
 /// Returns the value of a text that this program wrote itself. Throws the parser's error.
 nlohmann::ordered_json jsonValue(std::string_view text);

@@ -41,10 +41,7 @@ bool Message::operator<(const Message& other) const {
 }
 
 std::string Message::english() const {
-  if (values.empty()) return text;
-  std::vector<std::string> parts;
-  for (const Message& value : values) parts.push_back(value.english());
-  return filled(text, parts);
+  return values.empty() ? text : filled(text, englishOf(values));
 }
 
 Message Message::quoted() const {
@@ -52,6 +49,12 @@ Message Message::quoted() const {
   made.text = printable(text);
   for (Message& value : made.values) value = value.quoted();
   return made;
+}
+
+std::vector<std::string> englishOf(std::span<const Message> messages) {
+  std::vector<std::string> texts;
+  for (const Message& message : messages) texts.push_back(message.english());
+  return texts;
 }
 
 std::string filled(std::string_view form, const std::vector<std::string>& values) {

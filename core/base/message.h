@@ -51,6 +51,9 @@ struct Message {
   }
 };
 
+/// Returns the messages in English, as files have them.
+std::vector<std::string> englishOf(std::span<const Message> messages);
+
 /// Returns the template with its placeholders %1, %2, ... replaced by the values; other text is
 /// unchanged.
 std::string filled(std::string_view form, const std::vector<std::string>& values);

@@ -26,12 +26,18 @@ std::optional<Choice> findChoice(const NamedChoices<Choice, N>& choices, std::st
   return {};
 }
 
+/// Returns the words.
+template <class Choice, std::size_t N>
+constexpr std::array<std::string_view, N> choiceWords(const NamedChoices<Choice, N>& choices) {
+  std::array<std::string_view, N> words;
+  std::ranges::transform(choices, words.begin(), [](const auto& choice) { return choice.first; });
+  return words;
+}
+
 /// Says that a word is none of those of the enumeration, and which there are.
 template <class Choice, std::size_t N>
 Message notOneOf(std::string_view word, const NamedChoices<Choice, N>& choices) {
-  std::array<std::string_view, N> known;
-  std::ranges::transform(choices, known.begin(), [](const auto& choice) { return choice.first; });
-  return notOneOf(word, known);
+  return notOneOf(word, choiceWords(choices));
 }
 
 /// Returns the enumerator of a word. Throws InputError with the key or option `where` and the known

@@ -45,6 +45,15 @@ inline double upperMedian(std::vector<double> values) {
   return *middle;
 }
 
+/// Returns the indices of the values in ascending order, those of equal values as they are. No
+/// value is NaN.
+inline std::vector<std::size_t> ascendingOrder(std::span<const double> values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [values](std::size_t i) { return values[i]; });
+  return order;
+}
+
 /// Returns the root mean square; NaN of no values.
 inline double rms(std::span<const double> values) {
   if (values.empty()) return kNaN;

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
-#include "core/base/text_table.h"
 #include "core/base/text_units.h"
-#include "core/base/units.h"
 
 namespace asperity {
 namespace {
@@ -188,45 +185,6 @@ void joinCells(std::vector<std::string_view>& fields) {
     fields[count - 1] = {begin, static_cast<std::size_t>(end - begin)};
   }
   fields.resize(count);
-}
-
-void unifyUnits(TextBlock& block, std::size_t i, const std::string& name) {
-  std::vector<TextCell>& cells = block.cells[i];
-  TextColumn& column = block.columns[i];
-  const auto hasUnit = [](const TextCell& cell) { return !cell.unit.empty(); };
-  const auto first = std::ranges::find_if(cells, hasUnit);
-  if (first == cells.end()) return;
-  const auto refuse = [&](std::size_t row, const Message& what) {
-    throw InputError(name, "", message("row {}: {}", block.lines[row], what));
-  };
-  const std::string common = column.unit.empty() ? first->unit : column.unit;
-  const auto of = findUnit(common);
-  bool isMixed = false;
-  for (std::size_t row = 0; row < block.rows; ++row) {
-    const std::string& unit = cells[row].unit;
-    if (std::isnan(block.at(row, i)) || unit == common) continue;
-    if (unit.empty() && !column.unit.empty()) continue;
-    if (unit.empty())
-      refuse(row, message("column {} has no unit here, and {} elsewhere", shortened(block.label(i)),
-                          shortened(common)));
-    const auto other = findUnit(unit);
-    const bool isSame = of && other && other->si == of->si;
-    // Above the column and in the cell are two statements about one number.
-    if (!isSame || (!column.unit.empty() && !(*other == *of)))
-      refuse(row, message("column {} has the unit {} here, and {} elsewhere",
-                          shortened(block.label(i)), shortened(unit), shortened(common)));
-    isMixed = isMixed || !(*other == *of);
-  }
-  for (std::size_t row = 0; row < block.rows && isMixed; ++row) {
-    if (cells[row].unit.empty()) continue;  // a missing value
-    double& value = block.at(row, i);
-    value = findUnit(cells[row].unit)->toSi(value);
-  }
-  column.unit = isMixed ? std::string(of->si) : common;
-}
-
-void unifyUnits(TextBlock& block, const std::string& name) {
-  for (std::size_t i = 0; i < block.cells.size(); ++i) unifyUnits(block, i, name);
 }
 
 }  // namespace asperity

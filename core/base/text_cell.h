@@ -3,24 +3,22 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 
 namespace asperity {
 
-struct TextBlock;
-
 /// What a cell holds beside its number.
 struct TextCell {
-  std::string text{};  // the whole cell; empty where it has no more than a number
-  std::string unit{};  // as written; empty where the cell has none
-  double error = std::numeric_limits<double>::quiet_NaN();      // in the unit of the number
-  double imaginary = std::numeric_limits<double>::quiet_NaN();  // of a complex number
+  std::string text{};       // the whole cell; empty where it has no more than a number
+  std::string unit{};       // as written; empty where the cell has none
+  double error = kNaN;      // in the unit of the number
+  double imaginary = kNaN;  // of a complex number
 };
 
 /// The signs between a number and its error.
@@ -52,12 +50,5 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal);
 /// "0.3i". A unit of one letter may be a label, as in "0.31 C". The fields are parts of one line,
 /// separated by blanks.
 void joinCells(std::vector<std::string_view>& fields);
-
-/// Expresses the numbers of each column, without their errors, in one unit, that of the column: a
-/// unit that all cells share or, where they have several units of one quantity, the SI unit. Throws
-/// InputError, with the name of the file, where some cell has none, or a unit of another quantity.
-void unifyUnits(TextBlock& block, const std::string& name);
-/// Does so in one column.
-void unifyUnits(TextBlock& block, std::size_t column, const std::string& name);
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <numeric>
 
+#include "core/base/column_units.h"
 #include "core/base/text_header.h"
 
 namespace asperity {

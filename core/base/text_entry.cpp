@@ -81,11 +81,6 @@ bool isUnitInFront(std::string_view key, std::string_view unit) {
   return false;
 }
 
-bool isColumnOfUnits(const TextColumn& column) {
-  constexpr WordList kOfUnits("unit units einheit einheiten unit\u00E9 unidad unit\u00E0");
-  return column.isText && isOneOf(lowerCase(column.name), kOfUnits);
-}
-
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   std::string_view line = withoutCommentMark(kept.text, dialect);
   // "\Scan Size: 120 120 ~m" in quotes, as NanoScope writes it

@@ -36,9 +36,6 @@ bool statesQuantity(std::string_view text);
 /// be a name, "Sample;N;50", except where the key names its quantity: "Load;N;50".
 bool isUnitInFront(std::string_view key, std::string_view unit);
 
-/// Returns whether a column has the units of the numbers before it by its name.
-bool isColumnOfUnits(const TextColumn& column);
-
 /// Reads the key and the value of a line (text_entry.cpp).
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 
@@ -65,6 +62,10 @@ bool isLineOfNames(const TextEntry& entry, const std::vector<TextColumn>& column
 void eraseLinesOfNames(std::vector<TextEntry>& header, const std::vector<TextColumn>& columns);
 
 // ---- Lines of names (text_names.cpp)
+
+/// Returns whether a line is empty, has separators alone or is drawn: ";;;", "-----", "*****",
+/// "+---+---+".
+bool isRule(std::string_view line);
 
 /// Splits a line of names for `columns` columns. The names may be separated differently from the
 /// numbers: the first separator that gives this number of names is used; none where there is no

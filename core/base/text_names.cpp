@@ -11,6 +11,11 @@
 #include "core/base/text_units.h"
 
 namespace asperity {
+
+bool isRule(std::string_view line) {
+  return line.find_first_not_of("-=_+*|;, \t") == line.npos;
+}
+
 namespace {
 
 using Separator = TextDialect::Separator;
@@ -217,11 +222,6 @@ bool haveUnits(const Fields& fields) {
     inEach = inEach && hasUnit && !statesQuantity(field);
   }
   return inBrackets || inEach;
-}
-
-/// Returns whether a line is empty, has separators alone or is drawn: ";;;", "-----", "+---+---+".
-bool isRule(std::string_view line) {
-  return line.find_first_not_of("-=_+|;, \t") == line.npos;
 }
 
 /// Returns the fields of the lines above a block that may be names, units and comments of its

@@ -5,18 +5,16 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 
 namespace asperity {
 namespace {
 
 using namespace std::string_view_literals;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Words that programs write for a missing value, in lower case.
 constexpr WordList kMissing(
@@ -197,11 +195,11 @@ bool readTextNumber(std::string_view text, char decimal, double& number) {
 
 Field readField(std::string_view text, char decimal) {
   text = trimmedField(text);
-  if (text.empty()) return {FieldKind::Missing, kNone};
+  if (text.empty()) return {FieldKind::Missing, kNaN};
   double number = 0;
   if (readTextNumber(text, decimal, number)) return {FieldKind::Number, number};
   if (readGroupedNumber(text, decimal, number)) return {FieldKind::Number, number, true};
-  if (isMissing(text)) return {FieldKind::Missing, kNone};
+  if (isMissing(text)) return {FieldKind::Missing, kNaN};
   constexpr std::size_t kLongestFlag = 8;
   if (text.size() <= kLongestFlag) {
     const std::string word = lowerCase(text);

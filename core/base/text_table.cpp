@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -174,10 +173,6 @@ void moveListsAbove(TextTable& table) {
 
 namespace {
 
-bool isDrawn(const TextEntry& entry) {
-  return joinEntry(entry).find_first_not_of("-=_+|;,* ") == std::string::npos;
-}
-
 /// A clause that is a name, a number and a unit and nothing else.
 struct StatedClause {
   std::string quantity{};  // by the caller's word
@@ -229,7 +224,7 @@ std::vector<TextEntry> statedBelow(const TextTable& table, const StatedQuantity&
   if (table.trailer.size() > kMaxLines || std::ranges::any_of(table.trailer, isOfDuration))
     return lines;
   for (const TextEntry& entry : table.trailer) {
-    if (isDrawn(entry) || isOfRecord(entry)) continue;
+    if (isRule(joinEntry(entry)) || isOfRecord(entry)) continue;
     const std::string line = joinEntry(entry);
     const std::vector<std::string_view> clauses = splitClauses(line);
     const auto isStated = [&](std::string_view clause) {
@@ -270,7 +265,7 @@ bool restates(const TextBlock& block, const StatedQuantity& quantityOf,
               std::vector<TextEntry>& above) {
   bool hasOtherValue = false;
   for (const TextEntry& entry : block.header) {
-    if (isDrawn(entry)) continue;
+    if (isRule(joinEntry(entry))) continue;
     Difference difference = Difference::Other;
     const auto same = std::ranges::find_if(above, [&](const TextEntry& one) {
       difference = compareLines(one, entry, quantityOf);
@@ -339,7 +334,7 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       for (std::size_t row = 0; row < block.rows; ++row) {
         double& value = block.at(row, i);
         value = std::pow(found->second, value);
-        if (std::isinf(value)) value = std::numeric_limits<double>::quiet_NaN();
+        if (std::isinf(value)) value = kNaN;
       }
     }
 }

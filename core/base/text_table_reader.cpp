@@ -3,18 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
+#include "core/base/column_units.h"
 #include "core/base/input_error.h"
 #include "core/base/quoted_names.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/text_units.h"
+#include "core/base/text_row.h"
 
 namespace asperity {
 namespace {
@@ -32,7 +33,8 @@ class TableReader {
         breaks_(text.breaks),
         name_(name),
         options_(options),
-        table_(table) {}
+        table_(table),
+        rows_(table.dialect, options) {}
 
   void read() {
     while (!rest_.empty()) {
@@ -53,37 +55,30 @@ class TableReader {
   [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
 
   /// Throws InputError that names the line most similar to a row.
-  [[noreturn]] void refuseWithoutRows() {
-    const auto eachField = [this](const auto& use) {
-      for (const TextLine& line : above_) {
-        if (isComment(line.text)) continue;
-        readRow(line.text);
-        if (fields_.size() < 2) continue;
-        for (std::size_t i = 0; i < fields_.size(); ++i) use(line.number, i);
-      }
-    };
-    eachField([this](std::size_t number, std::size_t i) {
-      if (kinds_[i].kind == FieldKind::Text &&
-          fields_[i].find_first_of("0123456789") != std::string_view::npos)
-        fail(message("has no rows of numbers; line {}: '{}' is not a number", number,
-                     shortened(trimmedField(fields_[i]))));
-    });
+  [[noreturn]] void refuseWithoutRows() const {
+    std::vector<std::pair<std::size_t, TextRow>> rows;
+    for (const TextLine& line : above_)
+      if (!isComment(line.text)) rows.emplace_back(line.number, rows_.read(line.text));
+    std::erase_if(rows, [](const auto& numbered) { return numbered.second.size() < 2; });
+    for (const auto& [number, row] : rows)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (row.is(i, FieldKind::Text) &&
+            row.fields[i].find_first_of("0123456789") != std::string_view::npos)
+          fail(message("has no rows of numbers; line {}: '{}' is not a number", number,
+                       shortened(trimmedField(row.fields[i]))));
     // A row that would be one with a number in its empty field.
-    eachField([this](std::size_t number, std::size_t i) {
-      if (kinds_[i].kind == FieldKind::Missing)
-        fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
-                     i + 1));
-    });
+    for (const auto& [number, row] : rows)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (row.is(i, FieldKind::Missing))
+          fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
+                       i + 1));
     // A name and numbers behind it, as where each row is a quantity.
-    eachField([this](std::size_t number, std::size_t i) {
-      const auto isNumber = [](const Field& field) { return field.kind == FieldKind::Number; };
-      if (i == 0 && fields_.size() > 2 && kinds_[0].kind == FieldKind::Text &&
-          std::all_of(kinds_.begin() + 1, kinds_.end(), isNumber))
+    for (const auto& [number, row] : rows)
+      if (row.size() > 2 && row.is(0, FieldKind::Text) && row.areNumbers(1, row.size()))
         fail(
             message("has no rows of numbers; line {} has '{}' in front of its numbers: write each "
                     "quantity in a column, with its name above it",
-                    number, shortened(trimmedField(fields_[0]))));
-    });
+                    number, shortened(trimmedField(row.fields[0]))));
     fail("has no rows of numbers");
   }
 
@@ -101,7 +96,7 @@ class TableReader {
       return;
     }
     if (isComment(line.text)) return keep(line);
-    readRow(line.text);
+    row_ = rows_.read(line.text);
     if (isOpen_ && fits()) return append(line);
     if (isOpen_ && isRemark(line)) return keep(line);
     if (isOpen_) refuseAmidRows(line);
@@ -143,11 +138,11 @@ class TableReader {
 
   bool appendPlain(const TextLine& line) {
     if (hasTexts_) return false;
-    row_.resize(block().columns.size());
-    if (!readPlainRow(line.text, table_.dialect, row_)) return false;
+    numbers_.resize(block().columns.size());
+    if (!readPlainRow(line.text, table_.dialect, numbers_)) return false;
     if (!above_.empty() && !goesOn()) return false;  // begins a block, the slow way
-    hasNumbers_.assign(row_.size(), true);
-    cells_.clear();
+    hasNumbers_.assign(numbers_.size(), true);
+    row_.cells.clear();
     addRow(line);
     return true;
   }
@@ -162,88 +157,43 @@ class TableReader {
     blankLines_ = 0;
     above_.clear();
     isDirect_ = true;
-    if (count_ + row_.size() > kMaxNumbers) fail(message("has more than {} numbers", kMaxNumbers));
-    count_ += row_.size();
+    if (count_ + numbers_.size() > kMaxNumbers)
+      fail(message("has more than {} numbers", kMaxNumbers));
+    count_ += numbers_.size();
     for (std::size_t i = 0; i < block().cells.size(); ++i) {
       std::vector<TextCell>& cells = block().cells[i];
-      const bool isThere = isCell(i) && !block().columns[i].isText;
+      const bool isThere = row_.isCell(i) && !block().columns[i].isText;
       if (!isThere && cells.empty()) continue;
       cells.resize(block().rows);
-      cells.push_back(isThere ? cells_[i] : TextCell{});
+      cells.push_back(isThere ? row_.cells[i] : TextCell{});
     }
-    block().values.insert(block().values.end(), row_.begin(), row_.end());
+    block().values.insert(block().values.end(), numbers_.begin(), numbers_.end());
     block().lines.push_back(static_cast<std::uint32_t>(line.number));
     ++block().rows;
   }
 
-  /// Returns the fields of the line after this one.
-  std::vector<std::string_view> fieldsOfNextLine() const {
+  /// Returns the line after this one as a row.
+  TextRow nextRow() const {
     std::string_view rest = rest_;
-    std::vector<std::string_view> fields;
-    split(takeLine(rest), fields);
-    return fields;
-  }
-
-  /// Splits a line; where labels are kept, "#" belongs to them.
-  void split(std::string_view line, std::vector<std::string_view>& fields) const {
-    if (options_.keepsTexts)
-      splitFields(line, table_.dialect.separator, fields);
-    else
-      splitRow(line, table_.dialect, fields);
-    if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
-  }
-
-  /// Fills fields_, kinds_ and cells_.
-  void readRow(std::string_view line) {
-    split(line, fields_);
-    kinds_.clear();
-    cells_.clear();
-    for (const std::string_view field : fields_) {
-      TextCell rest;
-      kinds_.push_back(read(field, &rest));
-      if (rest.text.empty()) continue;
-      cells_.resize(fields_.size());
-      cells_[kinds_.size() - 1] = std::move(rest);
-    }
-  }
-
-  /// Reads a field; rest: set where it is more than a number.
-  Field read(std::string_view text, TextCell* rest = nullptr) const {
-    const Field field = readField(text, table_.dialect.decimal);
-    if (field.kind != FieldKind::Text) return field;
-    if (options_.datesAreMissing && isDateOrTime(text))
-      return {FieldKind::Missing, std::numeric_limits<double>::quiet_NaN()};
-    if (!options_.readsCells) return field;
-    auto cell = readCell(text, table_.dialect.decimal);
-    if (!cell) return field;
-    if (rest != nullptr) *rest = std::move(cell->rest);
-    return {FieldKind::Number, cell->number};
-  }
-
-  /// Returns whether a field of the row is more than a number.
-  bool isCell(std::size_t i) const { return i < cells_.size() && !cells_[i].text.empty(); }
-
-  std::size_t countOf(FieldKind kind) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
+    return rows_.read(takeLine(rest));
   }
 
   /// Returns whether the fields are a row of the open block.
   bool fits() const {
     const std::vector<TextColumn>& columns = block().columns;
-    std::size_t size = fields_.size();
-    while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
+    std::size_t size = row_.size();
+    while (size > columns.size() && trimmedBlanks(row_.fields[size - 1]).empty()) --size;
     if (size > columns.size()) return false;
     for (std::size_t i = size; i < columns.size(); ++i)
       if (!columns[i].isText) return false;
     bool anyValue = false;
     for (std::size_t i = 0; i < size; ++i) {
       if (columns[i].isText) continue;
-      if (kinds_[i].kind == FieldKind::Text) {
+      if (row_.is(i, FieldKind::Text)) {
         if (hasNumbers_[i]) return false;
         continue;  // a column of remarks, empty so far
       }
-      anyValue = anyValue || !trimmedBlanks(fields_[i]).empty();
+      anyValue = anyValue || !trimmedBlanks(row_.fields[i]).empty();
     }
     // A line of separators alone is a row of gaps if it stands among rows.
     return anyValue || (size == columns.size() && nextLineFits());
@@ -255,19 +205,14 @@ class TableReader {
     while (!rest.empty()) {
       const std::string_view line = takeLine(rest);
       if (trimmedBlanks(line).empty()) continue;
-      std::vector<std::string_view> fields;
-      split(line, fields);
+      TextRow row = rows_.read(line);
       const std::vector<TextColumn>& columns = block().columns;
-      while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
-        fields.pop_back();
-      if (fields.size() != columns.size()) return false;
-      bool anyNumber = false;
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const FieldKind kind = read(fields[i]).kind;
-        if (kind == FieldKind::Text && !columns[i].isText && hasNumbers_[i]) return false;
-        anyNumber = anyNumber || kind == FieldKind::Number;
-      }
-      return anyNumber;
+      while (row.size() > columns.size() && trimmedBlanks(row.fields.back()).empty())
+        row.removeLast();
+      if (row.size() != columns.size()) return false;
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (row.is(i, FieldKind::Text) && !columns[i].isText && hasNumbers_[i]) return false;
+      return row.count(FieldKind::Number) > 0;
     }
     return false;
   }
@@ -275,15 +220,12 @@ class TableReader {
   /// Returns whether the next line has numbers and texts where this one has them; values may be
   /// missing.
   bool nextLineIsAlike() const {
-    const std::vector<std::string_view> fields = fieldsOfNextLine();
-    if (fields.size() != fields_.size()) return false;
-    bool anyNumber = false;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const FieldKind kind = read(fields[i]).kind;
-      anyNumber = anyNumber || kind == FieldKind::Number;
-      if (kind != kinds_[i].kind && kind != FieldKind::Missing) return false;
-    }
-    return anyNumber;
+    const TextRow next = nextRow();
+    if (next.size() != row_.size()) return false;
+    for (std::size_t i = 0; i < next.size(); ++i)
+      if (next.values[i].kind != row_.values[i].kind && !next.is(i, FieldKind::Missing))
+        return false;
+    return next.count(FieldKind::Number) > 0;
   }
 
   /// Returns whether a field is a number or looks like one; "1. Ra" in a list does not.
@@ -296,17 +238,15 @@ class TableReader {
   /// Returns whether the next line has this number of fields and begins like a number, as damaged
   /// rows do.
   bool nextLineResembles(std::size_t size) const {
-    const std::vector<std::string_view> fields = fieldsOfNextLine();
-    return fields.size() == size && isLikeNumber(fields.front());
+    const TextRow next = nextRow();
+    return next.size() == size && isLikeNumber(next.fields.front());
   }
 
   /// Returns whether words stand behind a row of numbers with names, right above the next one.
   bool isRowWithWords() const {
     const std::size_t columns = block().columns.size();
-    const auto isNumber = [](const Field& field) { return field.kind == FieldKind::Number; };
     const std::string_view below = rest_.substr(0, rest_.find('\n'));
-    return block().hasNames() && kinds_.size() > columns &&
-           std::all_of(kinds_.begin(), kinds_.begin() + std::ssize(block().columns), isNumber) &&
+    return block().hasNames() && row_.size() > columns && row_.areNumbers(0, columns) &&
            !trimmedBlanks(below.substr(0, below.find('\r'))).empty() && nextLineFits();
   }
 
@@ -316,24 +256,24 @@ class TableReader {
     constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
     const std::vector<TextColumn>& columns = block().columns;
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
-    const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
+    const bool isRow = std::ranges::any_of(row_.fields, beginsAsNumber);
     if (!isRow || !above_.empty() || isNextHeading(line)) return;
     const bool hasWords = isRowWithWords();
     if (isEntry && !hasWords) return;
-    const bool isWide = fields_.size() != columns.size();
-    const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
+    const bool isWide = row_.size() != columns.size();
+    const bool goOnBroken = isDirect_ && isLikeNumber(row_.fields.front()) &&
                             (!isWide || block().rows >= kManyRows) &&
-                            nextLineResembles(fields_.size());
+                            nextLineResembles(row_.size());
     if (!goOnBroken && !nextLineFits()) return;
-    if (isWide && (countOf(FieldKind::Text) == 0 || hasWords))
-      fail(fields_.size() == 1 ? message("line {}: has one field where the lines before have {}",
-                                         line.number, columns.size())
-                               : message("line {}: has {} fields where the lines before have {}",
-                                         line.number, fields_.size(), columns.size()));
-    for (std::size_t i = 0; i < std::min(columns.size(), fields_.size()); ++i)
-      if (kinds_[i].kind == FieldKind::Text && !columns[i].isText)
+    if (isWide && (row_.count(FieldKind::Text) == 0 || hasWords))
+      fail(row_.size() == 1 ? message("line {}: has one field where the lines before have {}",
+                                      line.number, columns.size())
+                            : message("line {}: has {} fields where the lines before have {}",
+                                      line.number, row_.size(), columns.size()));
+    for (std::size_t i = 0; i < std::min(columns.size(), row_.size()); ++i)
+      if (row_.is(i, FieldKind::Text) && !columns[i].isText)
         fail(message("line {}: '{}' in column {} is not a number", line.number,
-                     shortened(trimmedField(fields_[i])), i + 1));
+                     shortened(trimmedField(row_.fields[i])), i + 1));
   }
 
   /// Turns a column without plain numbers so far into one of texts.
@@ -348,21 +288,20 @@ class TableReader {
   void append(const TextLine& line) {
     if (!above_.empty() && !goesOn()) return start(line);
     const std::size_t columns = block().columns.size();
-    row_.assign(columns, std::numeric_limits<double>::quiet_NaN());
+    numbers_.assign(columns, kNaN);
     for (std::size_t i = 0; i < columns; ++i) {
-      const bool isThere = i < fields_.size();
-      if (isThere && kinds_[i].kind == FieldKind::Text && options_.keepsTexts &&
+      const bool isThere = i < row_.size();
+      if (isThere && row_.is(i, FieldKind::Text) && options_.keepsTexts &&
           !block().columns[i].isText) {
         keepAsTexts(i);
         hasTexts_ = true;
       }
-      if (isThere && kinds_[i].kind == FieldKind::Number && !isCell(i)) hasNumbers_[i] = true;
+      if (isThere && row_.is(i, FieldKind::Number) && !row_.isCell(i)) hasNumbers_[i] = true;
       if (block().columns[i].isText)
-        block().texts[i].emplace_back(isThere ? trimmedField(fields_[i]) : std::string_view{});
-      else if (isThere && kinds_[i].kind != FieldKind::Text)
-        row_[i] = kinds_[i].value;
-      if (isThere && kinds_[i].kind == FieldKind::Flag)
-        flags_.push_back(block().rows * columns + i);
+        block().texts[i].emplace_back(isThere ? trimmedField(row_.fields[i]) : std::string_view{});
+      else if (isThere && !row_.is(i, FieldKind::Text))
+        numbers_[i] = row_.values[i].value;
+      if (isThere && row_.is(i, FieldKind::Flag)) flags_.push_back(block().rows * columns + i);
     }
     addRow(line);
   }
@@ -379,8 +318,7 @@ class TableReader {
       if (!std::isnan(value) && value != 0 && value != 1) hasNumbers[i % columns] = true;
     }
     for (const std::size_t index : flags_)
-      if (hasNumbers[index % columns] || options_.keepsTexts)
-        last.values[index] = std::numeric_limits<double>::quiet_NaN();
+      if (hasNumbers[index % columns] || options_.keepsTexts) last.values[index] = kNaN;
     flags_.clear();
   }
 
@@ -398,7 +336,7 @@ class TableReader {
     auto blank = blanks.begin();
     for (std::size_t row = 0; row < last.rows; ++row) {
       if (blank != blanks.end() && blank->first == row) {
-        values.insert(values.end(), blank->second, std::numeric_limits<double>::quiet_NaN());
+        values.insert(values.end(), blank->second, kNaN);
         lines.insert(lines.end(), blank->second, last.lines[row]);
         ++blank;
       }
@@ -418,45 +356,44 @@ class TableReader {
 
   /// Returns whether the fields can be the first row of a block.
   bool startsBlock(const TextLine& line) {
-    if (countOf(FieldKind::Number) == 0) return false;
-    if (countOf(FieldKind::Text) == 0 && cells_.empty()) return true;
+    if (row_.count(FieldKind::Number) == 0) return false;
+    if (row_.count(FieldKind::Text) == 0 && row_.cells.empty()) return true;
     // "Load; 30 N" states something of the rows below.
     const std::size_t fewestCells = options_.keepsTexts ? 2 : 1;
     const auto cells = static_cast<std::size_t>(
-        std::ranges::count_if(cells_, [](const TextCell& cell) { return !cell.text.empty(); }));
-    if (countOf(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
+        std::ranges::count_if(row_.cells, [](const TextCell& cell) { return !cell.text.empty(); }));
+    if (row_.count(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
       return false;
-    if (!options_.keepsTexts) return countOf(FieldKind::Text) == 0;
+    if (!options_.keepsTexts) return row_.count(FieldKind::Text) == 0;
     // "mm/s; 1" are the units of a velocity and of a pure number.
-    const auto ones = static_cast<std::size_t>(std::ranges::count(fields_, "1"));
-    if (ones == countOf(FieldKind::Number) && areUnits({fields_.begin(), fields_.end()}))
+    const auto ones = static_cast<std::size_t>(std::ranges::count(row_.fields, "1"));
+    if (ones == row_.count(FieldKind::Number) && areUnits({row_.fields.begin(), row_.fields.end()}))
       return false;
     // The colon of a time of day ends no key.
     const auto hasKey = [](std::string_view field) {
       return keyEnd(field) != std::string_view::npos && !isDateOrTime(field);
     };
-    const bool hasTime = std::ranges::any_of(fields_, isDateOrTime);
-    if (hasTime ? std::ranges::any_of(fields_, hasKey)
+    const bool hasTime = std::ranges::any_of(row_.fields, isDateOrTime);
+    if (hasTime ? std::ranges::any_of(row_.fields, hasKey)
                 : keyEnd(line.text) != std::string_view::npos)
       return false;
     // ";1 mm/s;10 mm/s" above "20 \u00B0C;0.5;0.7", where the unit of the first column names it
-    const auto named = namedColumns(above_, table_.dialect, kinds_);
-    return std::none_of(named.begin() + (isCell(0) && named.size() > 1 ? 1 : 0), named.end(),
+    const auto named = namedColumns(above_, table_.dialect, row_.values);
+    return std::none_of(named.begin() + (row_.isCell(0) && named.size() > 1 ? 1 : 0), named.end(),
                         [](const TextColumn& column) { return column.name.empty(); });
   }
 
   /// Returns whether a line above a first row has equally many fields and begins with a number, or
   /// equally many numbers and words behind them.
   bool isDamagedRow(const TextLine& above) const {
-    std::vector<std::string_view> fields;
-    split(above.text, fields);
+    const std::vector<std::string_view> fields = rows_.split(above.text);
     const auto isNumber = [this](std::string_view field) {
       return readField(field, table_.dialect.decimal).kind == FieldKind::Number;
     };
-    if (isComment(above.text) || fields.size() < fields_.size() || !isNumber(fields.front()))
+    if (isComment(above.text) || fields.size() < row_.size() || !isNumber(fields.front()))
       return false;
-    return fields.size() == fields_.size() ||
-           std::all_of(fields.begin(), fields.begin() + std::ssize(fields_), isNumber);
+    return fields.size() == row_.size() ||
+           std::all_of(fields.begin(), fields.begin() + std::ssize(row_.fields), isNumber);
   }
 
   /// Leaves out damaged rows right above a first row.
@@ -473,10 +410,8 @@ class TableReader {
   void leaveOutBelow() {
     std::size_t next = block().lines.back() + 1;
     for (const TextLine& line : above_) {
-      std::vector<std::string_view> fields;
-      split(line.text, fields);
       if (line.number != next++ || isComment(line.text) || !beginsAsNumber(line.text) ||
-          fields.size() != block().columns.size())
+          rows_.split(line.text).size() != block().columns.size())
         return;
       leaveOut(line);
     }
@@ -498,10 +433,8 @@ class TableReader {
 
   void start(const TextLine& line) {
     // Separators at the ends of all lines make no column, unless it has a name.
-    while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
-           !isNamed(fields_.size())) {
-      fields_.pop_back();
-      kinds_.pop_back();
+    while (row_.size() > 1 && trimmedBlanks(row_.fields.back()).empty() && !isNamed(row_.size())) {
+      row_.removeLast();
     }
     if (isOpen_) {
       leaveOutBelow();
@@ -515,17 +448,17 @@ class TableReader {
 
   /// Adds a block whose columns are those of the fields, without rows. line: its first row.
   void addBlock(const TextLine& line) {
-    hasNumbers_.assign(fields_.size(), false);
+    hasNumbers_.assign(row_.size(), false);
     TextBlock fresh;
-    fresh.columns = namedColumns(above_, table_.dialect, kinds_);
-    fresh.texts.resize(fields_.size());
-    fresh.cells.resize(fields_.size());
+    fresh.columns = namedColumns(above_, table_.dialect, row_.values);
+    fresh.texts.resize(row_.size());
+    fresh.cells.resize(row_.size());
     hasTexts_ = false;
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
+    for (std::size_t i = 0; i < row_.size(); ++i) {
       TextColumn& column = fresh.columns[i];
       column.isText =
-          options_.keepsTexts && (kinds_[i].kind == FieldKind::Text ||
-                                  isOneOf(lowerCase(column.name), options_.textColumns));
+          options_.keepsTexts &&
+          (row_.is(i, FieldKind::Text) || isOneOf(lowerCase(column.name), options_.textColumns));
       hasTexts_ = hasTexts_ || column.isText;
     }
     for (const TextLine& kept : above_) addEntry(kept, fresh.header);
@@ -533,7 +466,7 @@ class TableReader {
     if (!table_.blocks.empty()) block().values.shrink_to_fit();
     // Memory for all possible rows is reserved, so that large tables are not copied.
     const std::size_t rows = rest_.size() / (line.text.size() + 1) + 1;
-    fresh.values.reserve(std::min(rows * fields_.size(), kMaxNumbers - count_));
+    fresh.values.reserve(std::min(rows * row_.size(), kMaxNumbers - count_));
     table_.blocks.push_back(std::move(fresh));
   }
 
@@ -546,53 +479,19 @@ class TableReader {
   const std::string& name_;
   const TextTableOptions& options_;
   TextTable& table_;
+  RowReader rows_;
   std::size_t number_ = 0, count_ = 0;
   std::size_t nextReport_ = kProgressStep;
-  bool isOpen_ = false;           // the last block may go on
-  bool hasTexts_ = false;         // of the last block
-  bool isDirect_ = false;         // no blank line since the last row
-  std::vector<bool> hasNumbers_;  // each column of the last block, in its first rows at least
-  std::vector<TextLine> above_;   // lines since the last row
-  std::vector<std::string_view> fields_;
-  std::vector<Field> kinds_;
-  std::vector<TextCell> cells_;  // of the row; empty where it has numbers alone
-  std::vector<double> row_;
+  bool isOpen_ = false;             // the last block may go on
+  bool hasTexts_ = false;           // of the last block
+  bool isDirect_ = false;           // no blank line since the last row
+  std::vector<bool> hasNumbers_;    // each column of the last block, in its first rows at least
+  std::vector<TextLine> above_;     // lines since the last row
+  TextRow row_;                     // the present line
+  std::vector<double> numbers_;     // of each column in this line
   std::vector<std::size_t> flags_;  // indices in the last block's values of words such as "valid"
   std::size_t blankLines_ = 0;      // since the last row
 };
-
-/// Takes the units in a column of their own, behind the only one of numbers that they can belong
-/// to: "v;unit;mu" above "10;mm/s;0.6". Throws InputError where they differ, except in a list of
-/// names and numbers.
-void takeUnits(TextBlock& block, const std::string& name) {
-  if (std::ranges::count(block.columns, false, &TextColumn::isText) < 2) return;
-  std::size_t candidates = 0;  // columns of numbers since the last one of units
-  for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    if (!block.columns[i].isText) ++candidates;
-    if (!isColumnOfUnits(block.columns[i])) continue;
-    if (std::exchange(candidates, 0) != 1 || block.columns[i - 1].isText) continue;
-    TextColumn& numbers = block.columns[i - 1];
-    const std::vector<std::string>& units = block.texts[i];
-    const auto unit = std::ranges::find_if(units, [](const auto& one) { return !one.empty(); });
-    if (unit == units.end() || !numbers.unit.empty() || !isUnitInFront(numbers.name, *unit))
-      continue;
-    const auto other = std::ranges::find_if(units, [&](const std::string& one) {
-      const auto row = static_cast<std::size_t>(&one - units.data());
-      return one != *unit && !std::isnan(block.at(row, i - 1));
-    });
-    if (other != units.end()) {
-      const auto column = shortened(numbers.name);
-      throw InputError(
-          name, "",
-          message("row {}: {}", block.lines[static_cast<std::size_t>(other - units.begin())],
-                  other->empty() ? message("column {} has no unit here, and {} elsewhere", column,
-                                           shortened(*unit))
-                                 : message("column {} has the unit {} here, and {} elsewhere",
-                                           column, shortened(*other), shortened(*unit))));
-    }
-    numbers.unit = withoutBrackets(*unit);
-  }
-}
 
 }  // namespace
 
@@ -605,7 +504,7 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
   const JoinedText joined(decoded.text);
   table.dialect = detectDialect(joined.text, options.readsCells);
   TableReader(joined, name, options, table).read();
-  for (TextBlock& block : table.blocks) takeUnits(block, name);
+  for (TextBlock& block : table.blocks) takeColumnsOfUnits(block, name);
   return table;
 }
 

@@ -215,8 +215,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   addMeasuredSeries(diagram, set, [&](std::size_t k, std::size_t i) {
     const MeasuredCurve& measured = set.measured[k];
     const MeasuredPoint& point = measured.data.points[i];
-    const double whole =
-        i < measured.computed.size() ? totalMu(measured.computed[i]) : kNotApplicable;
+    const double whole = measured.computedMu(i);
     return DiagramPoint{measured.abscissas[i] * factor, point.mu / whole,
                         (point.mu - point.muError) / whole, (point.mu + point.muError) / whole,
                         static_cast<int>(i)};

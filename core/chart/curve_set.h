@@ -59,6 +59,11 @@ struct MeasuredCurve {
   /// 21 (1963)), as are those of curves: reduction(). Over another key they are the table's own
   /// values of it.
   std::vector<double> abscissas;
+
+  /// Returns the friction computed at a point, local friction included.
+  double computedMu(std::size_t point) const {
+    return point < computed.size() ? totalMu(computed[point]) : kNotApplicable;
+  }
 };
 
 struct CurveSet {

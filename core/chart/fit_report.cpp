@@ -131,8 +131,6 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
       row.push_back(numberOrNull(fit.correlation(i, j)));
     correlations.push_back(std::move(row));
   }
-  Json notes = Json::array();
-  for (const Message& note : allNotes(fit)) notes.push_back(note.english());
   return {{"parameters", std::move(parameters)},
           {"correlations", std::move(correlations)},
           {"combinations", std::move(combinations)},
@@ -144,7 +142,7 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
           {"has_converged", fit.hasConverged},
           {"has_found_points", fit.hasFoundPoints},
           {"evaluations", fit.evaluations},
-          {"notes", std::move(notes)}};
+          {"notes", englishOf(allNotes(fit))}};
 }
 
 std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {

@@ -70,10 +70,9 @@ void ForceBalance::move(const PassSums& sums) {
   depth_ = next;
 }
 
-Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load,
-                        double guess) {
+Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load) {
   ForceBalance balance;
-  balance.start(line, load, guess);
+  balance.start(line, load, 0);
   while (!balance.isDone())
     balance.take(resolvedPass(line, balance.depth(), relaxationLength, Output::Force));
   return balance.balance();

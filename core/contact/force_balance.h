@@ -61,7 +61,6 @@ class ForceBalance {
 
 /// Solves the balance with plain passes. load = F_N / 4G (m^2, > 0). relaxationLength: c = v tau
 /// (m).
-Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load,
-                        double guess = 0);
+Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load);
 
 }  // namespace asperity

@@ -120,7 +120,7 @@ void requireBalance(const SteadyResult& result, double velocity, const Message& 
 }
 
 SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& conditions,
-                          double normalForce, double guess) {
+                          double normalForce) {
   const double c = conditions.relaxationLength();
   const double load = normalForce / (4 * conditions.shearModulus);
   if (line.scheme == Scheme::Nodal) {
@@ -132,7 +132,7 @@ SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& 
   Balance balance{whole, 1, 0};
   if (!isComplete) {
     countStage(Stage::ContactSearch);
-    balance = balanceResolved(line, c, load, guess);
+    balance = balanceResolved(line, c, load);
   }
   const PassSums sums = sumsAt(line, balance.depth, c, isComplete);
   if (isComplete) balance.residual = std::abs(sums.depth / load - 1);

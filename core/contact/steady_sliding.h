@@ -77,10 +77,9 @@ TextError balanceError(const SteadyResult& result, double velocity, const Messag
 /// Throws that error where the result is not balanced.
 void requireBalance(const SteadyResult& result, double velocity, const Message& where = {});
 
-/// Slides at a constant normal force (N, > 0). guess: indentation nearby (m), or 0; it changes the
-/// cost, but not the result beyond the residual.
+/// Slides at a constant normal force (N, > 0).
 SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& conditions,
-                          double normalForce, double guess = 0);
+                          double normalForce);
 
 /// Slides at a constant indentation (m, > 0).
 SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& conditions,

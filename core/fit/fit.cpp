@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -174,9 +175,7 @@ class Fitting {
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, degreesOfFreedom(fit_.degreesOfFreedom), fit_.errorScale));
     warnOfOutlier();
-    for (const FrictionData& table : data_)
-      for (const Message& note : table.notes)
-        fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
+    std::ranges::move(notesOf(data_), std::back_inserter(fit_.notes));
     const double width = fit_.scene.load.width;
     if (const auto note = pressureNote(fit_.computed, width))
       (width > 0 ? fit_.notes : fit_.warnings).push_back(*note);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/column_units.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
@@ -240,6 +241,14 @@ FrictionData readPoints(const TextTable& table, const std::string& name,
 }
 
 }  // namespace
+
+std::vector<Message> notesOf(std::span<const FrictionData> tables) {
+  std::vector<Message> notes;
+  for (const FrictionData& table : tables)
+    for (const Message& note : table.notes)
+      notes.push_back(message("{}: {}", Message::name(table.name), note));
+  return notes;
+}
 
 InputError missingFrictionData() {
   return {"", "--data", "no measured friction is given, nor named by the scene"};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ struct FrictionData {
 
   bool hasErrors() const { return !points.empty() && !std::isnan(points.front().muError); }
 };
+
+/// Returns the notes of all tables, each with the name of its table.
+std::vector<Message> notesOf(std::span<const FrictionData> tables);
 
 /// Read a table of at least two rows. The columns need names unless there are two (velocity and mu)
 /// or three (with the error of mu). Units: those of SI with their usual prefixes; km/h; % for

@@ -214,18 +214,6 @@ std::string writeLesson(const Lesson& lesson) {
   return jsonFile(toJson(lesson));
 }
 
-bool isFileOfSchema(const std::filesystem::path& file, std::size_t limit,
-                    std::string_view beginning) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  try {
-    const Json members = membersUpTo(readRegularFile(file, limit), "schema", kDeepestLesson);
-    return textMember(members, "schema").starts_with(beginning);
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 bool isLessonFile(const std::filesystem::path& file) {
   return isFileOfSchema(file, kLargestLesson, "asperity-lesson/");
 }

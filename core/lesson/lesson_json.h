@@ -30,11 +30,6 @@ inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
      {"peak", LessonValue::Kind::Peak},
      {"exponent", LessonValue::Kind::Exponent}}};
 
-/// Returns whether a regular file of at most `limit` bytes is JSON whose schema begins like this;
-/// false where it cannot be read.
-bool isFileOfSchema(const std::filesystem::path& file, std::size_t limit,
-                    std::string_view beginning);
-
 /// Whether a lesson is read to be played, or to be written on.
 enum class LessonReading { Complete, Draft };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/column_units.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"

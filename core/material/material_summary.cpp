@@ -216,12 +216,6 @@ Json fitJson(const TemperatureFit& fit) {
   return json;
 }
 
-Json englishOf(const std::vector<Message>& lines) {
-  Json list = Json::array();
-  for (const Message& line : lines) list.push_back(line.english());
-  return list;
-}
-
 Json measurementJson(const Material& material) {
   const DmaFacts& facts = material.facts;
   Json temperatures = Json::array(), shifts = Json::array();
@@ -250,7 +244,7 @@ Json measurementJson(const Material& material) {
           {"poisson_ratio",
            facts.modulus == ModulusKind::Tension ? Json(material.poissonRatio) : Json(nullptr)},
           {"vertical_shifts", material.isVertical},
-          {"facts", facts.sweeps > 0 ? englishOf(factsOf(facts)) : Json::array()},
+          {"facts", englishOf(facts.sweeps > 0 ? factsOf(facts) : std::vector<Message>())},
           {"thermorheologically_simple", material.curve.isThermorheologicallySimple},
           {"shifts", std::move(shifts)}};
 }

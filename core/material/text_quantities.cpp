@@ -51,16 +51,21 @@ std::size_t signLength(std::string_view text, std::size_t begin, bool& isMinus) 
   return 0;
 }
 
+/// Returns the digits and marks from `at` on, with decimal points, and moves `at` behind them.
+std::string takeDigits(std::string_view text, std::size_t& at) {
+  std::string number;
+  for (; at < text.size() && (isDigit(text[at]) || text[at] == '.' || text[at] == ','); ++at)
+    number += text[at] == ',' ? '.' : text[at];
+  return number;
+}
+
 /// Returns the temperature with its unit that begins at this position.
 std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t begin) {
   bool isMinus = false;
   const std::size_t sign = signLength(text, begin, isMinus);
   std::size_t end = begin + sign;
-  std::string number = sign > 0 && isMinus ? "-" : "";
-  const std::size_t digits = end;
-  while (end < text.size() && (isDigit(text[end]) || text[end] == '.' || text[end] == ','))
-    number += text[end] == ',' ? '.' : text[end], ++end;
-  if (end == digits || !isDigit(text[digits])) return {};
+  if (end == text.size() || !isDigit(text[end])) return {};
+  const std::string number = (sign > 0 && isMinus ? "-" : "") + takeDigits(text, end);
   double value = 0;
   if (!readTextNumber(number, '.', value)) return {};
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
@@ -202,12 +207,8 @@ std::optional<TextFrequency> firstFrequency(std::string_view text) {
   for (std::size_t begin = 0; begin < text.size(); ++begin) {
     if (!isDigit(text[begin])) continue;
     const std::size_t digits = begin;
-    std::string number;
-    std::size_t end = begin;
-    for (; end < text.size() && (isDigit(text[end]) || text[end] == '.' || text[end] == ','); ++end)
-      number += text[end] == ',' ? '.' : text[end];
-    begin = end;
-    std::size_t unit = end;
+    const std::string number = takeDigits(text, begin);
+    std::size_t unit = begin;
     while (unit < text.size() && (text[unit] == ' ' || text[unit] == '_')) ++unit;
     double value = 0;
     // "G1 Hz" and "run3 Hz" are names.

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/base/statistics.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {
@@ -45,7 +46,7 @@ inline constexpr StoredType kStored{
     sizeof(Number),
     std::numeric_limits<Number>::is_signed
         ? static_cast<double>(std::numeric_limits<Number>::lowest())
-        : std::numeric_limits<double>::quiet_NaN(),
+        : kNaN,
     [](std::string_view bytes, std::endian order) {
       return static_cast<double>(storedNumber<Number>(bytes, order));
     }};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/column_units.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text_clause.h"

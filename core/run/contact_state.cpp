@@ -98,19 +98,9 @@ Message curveInWords(const CurveAtVelocity& curve) {
 
 }  // namespace
 
-ContactState drawnState(const Frame& frame) {
-  if (frame.isSettling) return frame.drawn;
-  return {frame.indentation,
-          frame.normalForce,
-          frame.tangentialForce,
-          frame.contactFraction,
-          frame.transient ? frame.muMarch : frame.muSteady,
-          frame.muInterface};
-}
-
 std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& curve) {
   if (!frame.scene) return {};
-  const ContactState state = drawnState(frame);
+  const ContactState& state = frame.drawn();
   std::vector<Message> text;
   text.push_back(motionInWords(frame));
   text.push_back(message("It presses with {}; its lowest point is {} below the undeformed surface.",
@@ -120,9 +110,9 @@ std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& 
   if (Message of = curveInWords(curve); !of.empty()) text.push_back(std::move(of));
   if (frame.isSettling)
     text.push_back(
-        std::isfinite(frame.muSteady)
+        std::isfinite(frame.state.mu)
             ? message("The picture still moves to the steady state, whose coefficient is {}.",
-                      coefficient(frame.muSteady))
+                      coefficient(frame.state.mu))
             : message("The picture still moves to the steady state."));
   for (const Note note : curve.notes.list())
     text.push_back(message("Note: {}.", noteSentence(note)));

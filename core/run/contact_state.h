@@ -12,10 +12,6 @@
 
 namespace asperity {
 
-/// Returns the state that is drawn: the steady state or, while the picture is still on its way
-/// there and for any other motion, the state at this time.
-ContactState drawnState(const Frame& frame);
-
 /// What the friction curve of the scene says about the velocity of a frame, as far as it is known.
 struct CurveAtVelocity {
   double mu = kNotApplicable;     // mean over the lines

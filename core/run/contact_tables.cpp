@@ -72,8 +72,9 @@ PowerBalance powerOf(const Frame& frame) {
   PowerBalance balance;
   const double speed = std::abs(frame.velocity);
   // Friction of the steady state belongs to the line as a whole; a motion's to its last steps.
-  const double mu = frame.transient ? frame.muMarch : frame.muSteady;
-  const double force = std::isfinite(mu) ? mu * frame.normalForce : frame.tangentialForce;
+  const ContactState& state = frame.state;
+  const double force =
+      std::isfinite(state.mu) ? state.mu * state.normalForce : state.tangentialForce;
   const Interface local = frame.scene ? interfaceAt(*frame.scene, frame.velocity) : Interface{};
   for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
     const double power = valueAt(frame, frame.power, i) * frame.spacing;
@@ -179,7 +180,7 @@ bool isNodal(const Frame& frame) {
 
 std::optional<Message> coarsePointsNote(const Frame& frame) {
   constexpr double kMaxDeviation = 0.05;
-  const double part = normalForce(frame.pressure, frame.spacing) / frame.normalForce;
+  const double part = normalForce(frame.pressure, frame.spacing) / frame.state.normalForce;
   if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
   if (isNodal(frame))
     return message(
@@ -227,8 +228,8 @@ Json derivedNumbers(const Frame& frame) {
   return {{"length", frame.length},
           {"spacing", frame.spacing},
           {"velocity", frame.velocity},
-          {"normal_force", frame.normalForce},
-          {"tangential_force", numberOrNull(frame.tangentialForce)},
+          {"normal_force", frame.state.normalForce},
+          {"tangential_force", numberOrNull(frame.state.tangentialForce)},
           {"rms_height", frame.rmsHeight},
           {"rms_slope", frame.rmsSlope},
           {"contact_spots", contacts.size()},
@@ -237,7 +238,7 @@ Json derivedNumbers(const Frame& frame) {
                                          : inContact / static_cast<double>(contacts.size()))},
           {"largest_contact_length", longest},
           {"mean_line_load",
-           numberOrNull(inContact > 0 ? frame.normalForce / inContact : kNotApplicable)},
+           numberOrNull(inContact > 0 ? frame.state.normalForce / inContact : kNotApplicable)},
           {"largest_line_load", largestLoad},
           {"mean_gap", area / frame.length},
           {"largest_gap", largestGap}};

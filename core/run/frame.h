@@ -34,7 +34,7 @@ struct FrameFields {
 struct ContactState {
   double indentation = 0;      // m, d above the line's lowest point
   double normalForce = 0;      // N
-  double tangentialForce = 0;  // N, magnitude along the motion; NaN where mu is
+  double tangentialForce = 0;  // N, magnitude along the motion
   double contactFraction = 0;
   double mu = kNotApplicable;  // NaN where the time steps or elements are too coarse to read it
   double muInterface = 0;      // of local friction, in addition to mu
@@ -87,28 +87,21 @@ struct Frame {
   // W/m, dissipated by the element's dashpots and, in contact, by local friction
   std::vector<double> power;
 
-  // Results of the steady state of this line and scene; for other motions, of the present time.
-  double indentation = 0;      // m, d above the line's lowest point
-  double normalForce = 0;      // N
-  double tangentialForce = 0;  // N, magnitude along the motion
-  double contactFraction = 0;
   double rmsHeight = 0, rmsSlope = 0;  // of the line
 
-  /// Friction of the time march over the steps since the last frame; NaN where its steps or its
-  /// elements are too coarse for friction, or nothing moves.
-  double muMarch = kNotApplicable;
-  /// Estimated discretization error of muMarch, for a motion that is not steady; NaN where it is
-  /// unknown.
+  /// The steady state of this line and scene, from the steady pass; for other motions, of the
+  /// present time.
+  ContactState state{};
+  /// Estimated discretization error of the friction of a motion; NaN where it is unknown.
   double muError = kNotApplicable;
-  /// Friction of the steady state of this line and scene, from the steady pass; NaN where there is
-  /// none.
-  double muSteady = kNotApplicable;
-  double muInterface = 0;  // of local friction, in addition to any mu
+  /// Friction of the time march in steady sliding, over the steps since the last frame; NaN where
+  /// its steps or its elements are too coarse for friction.
+  double muMarch = kNotApplicable;
 
   /// Whether the march, and with it the picture, is still moving from the previous scene to the
-  /// steady state of the results above. `drawn` then has the values of the picture.
+  /// steady state. `marched` then has the values of the picture.
   bool isSettling = false;
-  ContactState drawn;
+  ContactState marched{};  // tangentialForce is NaN where mu is
 
   /// N/m, greatest line load of the steady state: the maximum of a colour scale that does not
   /// depend on earlier pictures. 0: unknown, as for other motions. NaN: contact lies between the
@@ -119,6 +112,10 @@ struct Frame {
   std::shared_ptr<const std::vector<TransientSample>> transient;
   /// Samples of the same motion after this time, made before the user went back; null: none.
   std::shared_ptr<const std::vector<TransientSample>> later;
+
+  /// Returns the state that is drawn: the steady state or, while the picture is still on its way
+  /// there and for any other motion, the state at this time.
+  const ContactState& drawn() const { return isSettling ? marched : state; }
 };
 
 /// Returns the normal force (N) of line loads (N/m) at points with this spacing (m).
@@ -141,7 +138,7 @@ inline double lineSlopeAt(const Frame& frame, std::size_t point) {
 inline LawInput lawInput(const Frame& frame, double velocity) {
   const Scene& scene = *frame.scene;
   return lawInput(elementLaw(scene.elastomer), {frame.rmsHeight, frame.rmsSlope}, frame.length,
-                  scene.surface.hurst, frame.normalForce, velocity);
+                  scene.surface.hurst, frame.state.normalForce, velocity);
 }
 
 }  // namespace asperity

@@ -147,7 +147,7 @@ std::vector<double> coveredParts(const Frame& frame) {
     touching += 1;
     edges += touches(i + 1) && touches(i + n - 1) ? 0 : 1;
   }
-  const double covered = frame.contactFraction * static_cast<double>(n);
+  const double covered = frame.state.contactFraction * static_cast<double>(n);
   const double inside = touching - edges;
   if (!(touching > 0) || !(covered > 0)) return cover;
   const bool atEdges = edges > 0 && covered > inside;
@@ -162,9 +162,7 @@ std::vector<double> coveredParts(const Frame& frame) {
 /// Returns the value below which 99 % of the weight lies: the few elements at the edges of contact
 /// with the highest loads are far away from all others.
 double weightedPercentile99(const std::vector<double>& values, const std::vector<double>& weights) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  const std::vector<std::size_t> order = ascendingOrder(values);
   double left = 0.99 * std::accumulate(weights.begin(), weights.end(), 0.0);
   for (const std::size_t i : order)
     if ((left -= weights[i]) <= 0) return values[i];
@@ -182,7 +180,7 @@ Diagram pressureDiagram(const Frame& frame) {
     weights.push_back(cover[i]);
   }
   if (pressures.empty()) return diagram;
-  const double mean = frame.normalForce / (frame.contactFraction * frame.length);
+  const double mean = frame.state.normalForce / (frame.state.contactFraction * frame.length);
   double most = weightedPercentile99(pressures, weights);
   if (std::isfinite(mean)) most = std::max(mean, most);
   diagram.series = {

@@ -118,7 +118,7 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
 /// Makes the diagram of the distribution of heights, in rms heights of the used profile.
 Diagram heightDistribution(const MeasuredSummary& summary) {
   constexpr double kMax = 5;
-  Diagram diagram{.x = {summary.isRoughness ? "height z / Rq" : "height z / Pq", "",
+  Diagram diagram{.x = {summary.isRoughness() ? "height z / Rq" : "height z / Pq", "",
                         AxisScale::Linear, -kMax, kMax},
                   .y = {"share", "%", AxisScale::Linear}};
   std::vector<double> heights;
@@ -149,8 +149,8 @@ DiagramSheet measuredSheet(const MeasuredSummary& summary, const std::string& ti
   sheet.title = title.empty() ? Message("Measured surface") : Message(title);
   const auto metres = [](double value) { return printed(value, "m", 4); };
   const auto number = [](double value) { return printed(value, 4); };
-  const Message rough = summary.isRoughness ? Message::name("Rq") : Message::name("Pq");
-  const Message slope = summary.isRoughness ? Message::name("Rdq") : Message::name("Pdq");
+  const Message rough = summary.isRoughness() ? Message::name("Rq") : Message::name("Pq");
+  const Message slope = summary.isRoughness() ? Message::name("Rdq") : Message::name("Pdq");
   sheet.subtitle = listed(
       {summary.rows > 1 ? message("row {} of {}", summary.rowInFile, summary.rows) : Message(),
        message("{} = {} raw, {} used", rough, metres(summary.raw.pq), metres(summary.used.pq)),

@@ -51,15 +51,18 @@ bool Settling::isNear(double distance) const {
 
 namespace {
 
-/// The normal force (N) and contact fraction of the elements as they are drawn.
-struct Pressed {
-  double force = 0, fraction = 0;
-};
-
-Pressed pressedIn(const Frame& frame) {
+/// Returns the contact of the elements as they are drawn, without their friction.
+ContactState pressedIn(const Frame& frame) {
   const auto touching = std::ranges::count_if(frame.pressure, [](double load) { return load > 0; });
-  return {normalForce(frame.pressure, frame.spacing),
-          static_cast<double>(touching) / static_cast<double>(frame.pressure.size())};
+  return {.normalForce = normalForce(frame.pressure, frame.spacing),
+          .contactFraction =
+              static_cast<double>(touching) / static_cast<double>(frame.pressure.size())};
+}
+
+/// Returns the local friction in this contact of the frame.
+double frictionOfInterface(const Frame& frame, const ContactState& contact) {
+  return localFriction(interfaceAt(*frame.scene, frame.velocity), contact.normalForce,
+                       contact.contactFraction * frame.length);
 }
 
 std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
@@ -445,27 +448,23 @@ Frame Simulation::marchedFrame() const {
 
 /// Sets all results to those of the steady state; the march adds its own friction.
 void Simulation::addSteady(Frame& frame) const {
-  setSteadyFacts(frame, ready_->steady.result);
+  frame.state = contactState(ready_->steady.result);
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   if (frame.velocity == 0) frame.muMarch = 0;  // nothing is worked, also while the contact relaxes
   // On the way there, the points of the picture still bear the load.
   frame.steadyPressure =
       isSettling() && std::isnan(ready_->greatestPressure) ? 0 : ready_->greatestPressure;
   frame.isSettling = isSettling();
-  if (frame.isSettling) frame.drawn = marchedState(frame);
+  if (frame.isSettling) frame.marched = marchedState(frame);
 }
 
 ContactState Simulation::marchedState(const Frame& frame) const {
-  const Pressed pressed = pressedIn(frame);
-  ContactState drawn{.indentation = march_->indentation(),
-                     .normalForce = pressed.force,
-                     .contactFraction = pressed.fraction,
-                     .mu = frame.muMarch};
-  drawn.tangentialForce = std::abs(drawn.mu) * drawn.normalForce;
-  if (hasLocalFriction(*ready_->scene))
-    drawn.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity),
-                                      drawn.normalForce, drawn.contactFraction * frame.length);
-  return drawn;
+  ContactState state = pressedIn(frame);
+  state.indentation = march_->indentation();
+  state.mu = frame.muMarch;
+  state.tangentialForce = std::abs(state.mu) * state.normalForce;
+  if (hasLocalFriction(*frame.scene)) state.muInterface = frictionOfInterface(frame, state);
+  return state;
 }
 
 /// Returns the time (s) after which the initial state no longer matters: ten of the longest
@@ -498,29 +497,26 @@ double Simulation::awayFromSteady() const {
 void Simulation::addMotion(Frame& frame) const {
   const std::vector<TransientSample>& samples = motion_->samples();
   frame.nextStep = motion_->transient().nextStep();
-  frame.indentation = march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples);
   if (const auto& later = motion_->later(); !later.empty())
     frame.later = std::make_shared<const std::vector<TransientSample>>(later);
+  ContactState& state = frame.state;
   if (samples.empty()) {  // the force is balanced from the beginning
-    const Pressed pressed = pressedIn(frame);
-    frame.normalForce = pressed.force;
-    frame.contactFraction = pressed.fraction;
+    state = pressedIn(frame);
     // Without sliding there is no tangential force; a remainder is the error of the elements.
-    frame.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
-    if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
-    if (frame.velocity != 0)
-      frame.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity), pressed.force,
-                                        pressed.fraction * frame.length);
-    return;
+    state.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
+    if (state.normalForce > 0) state.mu = state.tangentialForce / state.normalForce;
+    if (frame.velocity != 0) state.muInterface = frictionOfInterface(frame, state);
+  } else {
+    const TransientSample& now = samples.back();
+    state = {.normalForce = now.normalForce,
+             .tangentialForce = std::abs(now.tangentialForce),
+             .contactFraction = now.contactFraction,
+             .mu = now.mu,
+             .muInterface = now.muInterface};
+    frame.muError = recentError(samples);
   }
-  const TransientSample& now = samples.back();
-  frame.normalForce = now.normalForce;
-  frame.tangentialForce = std::abs(now.tangentialForce);
-  frame.contactFraction = now.contactFraction;
-  frame.muMarch = now.mu;
-  frame.muError = recentError(samples);
-  frame.muInterface = now.muInterface;
+  state.indentation = march().indentation();
 }
 
 }  // namespace asperity

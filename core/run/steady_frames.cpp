@@ -50,13 +50,9 @@ std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen
 
 }  // namespace
 
-void setSteadyFacts(Frame& frame, const SteadyResult& facts) {
-  frame.indentation = facts.indentation;
-  frame.normalForce = facts.normalForce;
-  frame.tangentialForce = facts.tangentialForce;
-  frame.contactFraction = facts.contactFraction;
-  frame.muSteady = facts.mu;
-  frame.muInterface = facts.muInterface;
+ContactState contactState(const SteadyResult& result) {
+  return {result.indentation,     result.normalForce, result.tangentialForce,
+          result.contactFraction, result.mu,          result.muInterface};
 }
 
 double greatestPressure(const SteadyShape& shape, double spacing, double normalForce) {
@@ -82,7 +78,7 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
   for (double& height : frame.surfaceHeight) height = -height;
   for (const double height : line.height)
     frame.lineHeight.push_back(height - profile.lowestHeight - shown.result.indentation);
-  setSteadyFacts(frame, facts);
+  frame.state = contactState(facts);
   frame.steadyPressure = greatestPressure(shape, line.spacing, shown.result.normalForce);
   frame.rmsHeight = line.rmsHeight;
   frame.rmsSlope = line.rmsSlope;

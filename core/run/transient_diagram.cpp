@@ -310,31 +310,30 @@ class MotionTrace {
 
 /// Returns a quantity of the frame, whose friction at the moment is `mu`.
 double quantityOf(const Frame& frame, CurveQuantity quantity, double mu) {
+  const ContactState& state = frame.state;
   switch (quantity) {
     case CurveQuantity::Mu:
       return mu;
     case CurveQuantity::MuTotal:
-      return mu + (frame.transient && !frame.transient->empty()
-                       ? frame.transient->back().muInterface
-                       : frame.muInterface);
+      return mu + state.muInterface;
     case CurveQuantity::NormalizedMu:
       return mu / frame.rmsSlope;
     case CurveQuantity::ContactFraction:
-      return frame.contactFraction;
+      return state.contactFraction;
     case CurveQuantity::RmsSlopeContact:
       return rmsSlopeInContact(frame);
     case CurveQuantity::Indentation:
-      return frame.indentation;
+      return state.indentation;
     case CurveQuantity::TangentialForce:
-      return mu * frame.normalForce;
+      return mu * state.normalForce;
     case CurveQuantity::Power:
-      return mu * frame.normalForce * std::abs(frame.scene->sliding.velocity);
+      return mu * state.normalForce * std::abs(frame.scene->sliding.velocity);
     default:
       break;
   }
   const double width = contactWidth(frame.scene->load, frame.length);
-  return frame.contactFraction > 0
-             ? frame.normalForce / (frame.contactFraction * frame.length * width)
+  return state.contactFraction > 0
+             ? state.normalForce / (state.contactFraction * frame.length * width)
              : kNotApplicable;
 }
 
@@ -345,7 +344,7 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   const Scene& scene = *frame.scene;
   const bool isOfVelocity = axes == CurveAxes::Dimensionless || scene.sweep.isOfVelocity();
   DiagramMarker marker;
-  double velocity = scene.sliding.velocity, mu = frame.muSteady;
+  double velocity = scene.sliding.velocity, mu = frame.state.mu;
   Message label = message("v = {}", printed(velocity, "m/s"));
   if (frame.transient) {
     const std::vector<TransientSample>& samples = *frame.transient;

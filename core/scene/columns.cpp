@@ -1,7 +1,6 @@
 #include "core/scene/columns.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -48,10 +47,6 @@ std::vector<std::string> columnNames(std::initializer_list<ColumnName> names) {
   std::vector<std::string> words;
   for (const ColumnName name : names) words.push_back(name.text());
   return words;
-}
-
-std::string joinedColumns(std::initializer_list<ColumnName> names) {
-  return fmt::format("{}", fmt::join(columnNames(names), ","));
 }
 
 std::string columnsText() {

@@ -481,9 +481,6 @@ constexpr std::string_view columnOfKey(std::string_view key) {
 /// Returns the names as the columns of a table.
 std::vector<std::string> columnNames(std::initializer_list<ColumnName> names);
 
-/// "a,b,c", without a line end.
-std::string joinedColumns(std::initializer_list<ColumnName> names);
-
 /// For people: names with units, then meaning, equation and tables; and for machines.
 std::string columnsText();
 std::string columnsJson();

@@ -89,7 +89,7 @@ Json jsonObject(const std::vector<std::string>& columns, const std::vector<Table
 }
 
 std::string tableCsv(const DataTable& table) {
-  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+  std::string text = csvLine({table.columns.begin(), table.columns.end()});
   for (const std::vector<TableCell>& row : table.rows) text += csvLine(row);
   return text;
 }

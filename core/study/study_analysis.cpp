@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/statistics.h"
 
@@ -40,9 +39,7 @@ std::array<double, kPercentiles.size()> computePercentiles(std::vector<double> v
 
 /// Returns the ranks from 1 on; equal values share the mean of their ranks.
 std::vector<double> computeRanks(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  const std::vector<std::size_t> order = ascendingOrder(values);
   std::vector<double> ranks(values.size());
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     while (end < order.size() && values[order[end]] == values[order[begin]]) ++end;

@@ -61,15 +61,13 @@ class TableWriter {
       return;
     }
     append(provenanceComment(origin));
-    append(kSimulation.text());
+    std::vector<std::string> columns{kSimulation.text()};
     for (std::size_t c = 0; c < point_.size(); ++c)
-      append("," + std::string(study_.space.column(c).key()));
-    if (isLong_)
-      append("," + joinedColumns({kOutput, kSweepValue, kValue}));
-    else
-      for (const std::string& name : names_) append("," + name);
-    if (hasErrors_) append("," + kError.text());
-    append("\n");
+      columns.emplace_back(study_.space.column(c).key());
+    const auto results = isLong_ ? columnNames({kOutput, kSweepValue, kValue}) : names_;
+    columns.insert(columns.end(), results.begin(), results.end());
+    if (hasErrors_) columns.push_back(kError.text());
+    append(tableCsv({std::move(columns), {}}));
   }
 
   void add(const StudyChunk& chunk) {

@@ -36,7 +36,6 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
                           .profile = lines.profile(source.rowOf(0)),
                           .spikes = lines.spikes()};
   const ProcessedProfile& profile = summary.profile;
-  summary.isRoughness = processing.longWaveCut > 0;
   summary.longWaveCut = processing.longWaveCut;
   summary.raw = profileParameters(profile.raw, profile.spacing);
   summary.used = profileParameters(profile.used, profile.spacing, processing.longWaveCut);
@@ -184,7 +183,7 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
 }
 
 std::vector<NamedValue> namedValues(const MeasuredSummary& summary) {
-  const std::string letter = summary.isRoughness ? "R" : "P";
+  const std::string letter = summary.isRoughness() ? "R" : "P";
   const ProfileParameters &raw = summary.raw, &used = summary.used;
   return {{letter + "a", "m", raw.pa, used.pa},   {letter + "q", "m", raw.pq, used.pq},
           {letter + "sk", "", raw.psk, used.psk}, {letter + "ku", "", raw.pku, used.pku},

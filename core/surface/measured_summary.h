@@ -21,8 +21,7 @@ struct MeasuredSummary {
   MissingHeights missing{};
   ProcessedProfile profile{};  // that row
   ProfileParameters raw{}, used{};
-  bool isRoughness = false;  // a long-wave cut makes the values used R parameters
-  double longWaveCut = 0;    // m; 0: none
+  double longWaveCut = 0;                         // m; 0: none
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
   HeightSteps steps{};                            // of that row, where they are too coarse
   CoarseRows coarseRows{};                        // of all that are lines
@@ -35,6 +34,9 @@ struct MeasuredSummary {
   bool isEquivalent = false, hasTurned = false, isMirrored = false;
   std::int64_t spikes = 0;  // points of all rows (MeasuredLines::spikes)
   NoteSet notes{};
+
+  /// Returns whether the values used are R parameters: a long-wave cut makes them so.
+  bool isRoughness() const { return longWaveCut > 0; }
 };
 
 /// Makes the summary. source: has the scene's lines, which are those of a measured surface.

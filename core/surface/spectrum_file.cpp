@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
@@ -295,11 +295,8 @@ class SpectrumReader {
 
   SpectralDensity inOrder() const {
     if (waves_.size() < 2) fail(message("has {} rows; at least 2 are needed", waves_.size()));
-    std::vector<std::size_t> order(waves_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [this](std::size_t i) { return waves_[i]; });
     SpectralDensity density;
-    for (const std::size_t i : order) {
+    for (const std::size_t i : ascendingOrder(waves_)) {
       if (!density.empty() && waves_[i] == density.waveNumber.back())
         fail(message("has two rows for the wave number {:.6g} 1/m", waves_[i]));
       density.waveNumber.push_back(waves_[i]);

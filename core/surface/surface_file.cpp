@@ -114,7 +114,7 @@ std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile) {
 }
 
 std::string lineCsv(const Line& line) {
-  std::string text = joinedColumns({"position", "height"}) + "\n";
+  std::string text = tableCsv({columnNames({"position", "height"}), {}});
   for (std::size_t i = 0; i < line.nodes(); ++i)
     text += fmt::format("{},{}\n", static_cast<double>(i) * line.spacing, line.height[i]);
   return text;

@@ -40,6 +40,13 @@ TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
   }
 }
 
+TEST_F(AccuracyCommandTest, ItsDiagramsAreDrawnByTheBackendThatIsGiven) {
+  const Said said = program.run("accuracy s.json -o out --backend osmesa",
+                                "ASPERITY_OSMESA_LIBRARY=libNowhere.so ");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_THAT(said.err, HasSubstr("libNowhere"));
+}
+
 /// What the shipped default is for: at equal error or better, far faster than the literal march.
 TEST_F(AccuracyCommandTest, TheDefaultBeatsTheLiteralMarchByFar) {
   const Said said = program.run("accuracy s.json -o out --json --set surface.elements=2000");

@@ -40,6 +40,13 @@ TEST_F(FigureCommandTest, AnswersWithTheClaimsAsJson) {
   EXPECT_EQ(json["figures"]["5"]["scene"]["surface"]["elements"], 300);
 }
 
+TEST_F(FigureCommandTest, IsDrawnByTheBackendThatIsGiven) {
+  const Said said = program.run(std::string("figure 5 -o out --backend osmesa") + kQuick,
+                                "ASPERITY_OSMESA_LIBRARY=libNowhere.so ");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_THAT(said.err, HasSubstr("libNowhere"));
+}
+
 /// The same figure twice, byte for byte, whatever the threads.
 TEST_F(FigureCommandTest, IsTheSameEveryTime) {
   for (const char* run : {"a --threads 1", "b --threads 2"})

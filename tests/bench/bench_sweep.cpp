@@ -61,13 +61,11 @@ void addShipped(const Resolution& resolution, int lineCount) {
 }
 
 void addScalar(const Resolution& resolution) {
-  for (const bool warm : {false, true})
-    addCase(figure2Name(warm ? "scalar_pass_warm" : "scalar_pass_cold", resolution.name), [=] {
-      return over(resolution, 1, {kFigure2Force},
-                  [warm](const PreparedProfile& line, double force) {
-                    return scalarSweep(line, force, figure2Velocities(), warm);
-                  });
+  addCase(figure2Name("scalar_pass", resolution.name), [=] {
+    return over(resolution, 1, {kFigure2Force}, [](const PreparedProfile& line, double force) {
+      return scalarSweep(line, force, figure2Velocities());
     });
+  });
 }
 
 }  // namespace

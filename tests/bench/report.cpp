@@ -57,10 +57,8 @@ std::string figure2Section(const Measured& measured) {
   row("literal algorithm, as compiled", figure2Name("literal", "nodal"));
   row("literal algorithm, widest vectors", figure2Name("literal_wide", "nodal"));
   for (const Resolution& resolution : kResolutions) {
-    row(fmt::format("scalar pass, {}, cold", resolution.name),
-        figure2Name("scalar_pass_cold", resolution.name));
-    row(fmt::format("scalar pass, {}, warm", resolution.name),
-        figure2Name("scalar_pass_warm", resolution.name));
+    row(fmt::format("scalar pass, {}", resolution.name),
+        figure2Name("scalar_pass", resolution.name));
     for (const std::string& set : measured.instructionSets)
       row(fmt::format("shipped, {}, {}{}", resolution.name, set, set == best ? " (in use)" : ""),
           figure2Name(set, resolution.name));

@@ -76,16 +76,10 @@ Tally shippedSweep(const PreparedProfile& line, double force, std::span<const do
   return tally;
 }
 
-Tally scalarSweep(const PreparedProfile& line, double force, std::span<const double> velocities,
-                  bool warm) {
+Tally scalarSweep(const PreparedProfile& line, double force, std::span<const double> velocities) {
   Tally tally{static_cast<double>(velocities.size())};
-  double guess = 0;
-  for (const double velocity : velocities) {
-    const SteadyResult result =
-        slideAtForce(line, {kModulus, kRelaxation, velocity}, force, warm ? guess : 0);
-    count(result, tally);
-    guess = result.indentation;
-  }
+  for (const double velocity : velocities)
+    count(slideAtForce(line, {kModulus, kRelaxation, velocity}, force), tally);
   return tally;
 }
 

@@ -42,10 +42,8 @@ Tally shippedSweep(const PreparedProfile& line, double force, std::span<const do
 std::vector<SteadyResult> shippedResults(const PreparedProfile& line, double force,
                                          std::span<const double> velocities);
 
-/// One velocity after the other by the scalar pass, each from the last indentation (warm) or from
-/// nothing (cold).
-Tally scalarSweep(const PreparedProfile& line, double force, std::span<const double> velocities,
-                  bool warm);
+/// One velocity after the other by the scalar pass, each without a starting value.
+Tally scalarSweep(const PreparedProfile& line, double force, std::span<const double> velocities);
 
 void add(Tally& sum, const Tally& part);
 

@@ -33,7 +33,7 @@ void expectSound(const Frame& frame) {
     wrong += sound ? 0 : 1;
   }
   EXPECT_EQ(wrong, 0U) << "of frame " << frame.step << " of scene " << frame.sceneNumber;
-  EXPECT_TRUE(std::isfinite(frame.indentation) && frame.normalForce >= 0);
+  EXPECT_TRUE(std::isfinite(frame.state.indentation) && frame.state.normalForce >= 0);
 }
 
 /// The first frame of this scene or a later one; null where none comes.

@@ -389,9 +389,9 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   auto [along, up] = curveExtents(set);
   const auto addAlong = [&](double value) { along.add(axisPosition(set.scaleOfX(), value)); };
   if (expected_ && axes_ == CurveAxes::Physical) {
-    const Sweep& sweep = expected_->sweep;
-    addAlong(sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from);
-    addAlong(sweep.isOfVelocity() ? sweep.velocityTo : sweep.to);
+    const ParameterRange axis = sweepRange(*expected_);
+    addAlong(axis.from);
+    addAlong(axis.to);
   }
   const std::optional<DiagramMarker> shown = marker();
   const double height = shown ? axisPosition(set.scaleOfY(), shown->y) : kNotApplicable;

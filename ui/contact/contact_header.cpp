@@ -34,7 +34,7 @@ float readingWidth(const Reading& reading, const Sizes& s) {
 /// Adds interface and total friction, where the scene has local friction.
 void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
   if (!hasInterface(frame)) return;
-  const ContactState state = drawnState(frame);
+  const ContactState& state = frame.drawn();
   readings.push_back({{{Words::tr("\u03BC of the interface")}},
                       shortNumber(state.muInterface, 3, Zeros::Keep),
                       2,
@@ -68,7 +68,7 @@ std::string frictionTip(const Frame& frame) {
 Reading settledReading(const Frame& frame, int rank) {
   return {
       {{Words::tr("\u03BC when settled")}},
-      shortNumber(frame.muSteady, 3, Zeros::Keep),
+      shortNumber(frame.state.mu, 3, Zeros::Keep),
       rank,
       Words::tr(
           "Friction in the steady state, as in the chart. The picture is still approaching it."),
@@ -81,9 +81,9 @@ Reading settledReading(const Frame& frame, int rank) {
 std::vector<Reading> makeReadings(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
-  const ContactState state = drawnState(frame);
+  const ContactState& state = frame.drawn();
   const bool isSettledAlone =
-      frame.isSettling && !std::isfinite(state.mu) && std::isfinite(frame.muSteady);
+      frame.isSettling && !std::isfinite(state.mu) && std::isfinite(frame.state.mu);
   if (isSettledAlone)
     readings.push_back(settledReading(frame, 0));
   else

@@ -166,7 +166,7 @@ std::string powerText(const Frame& frame) {
     if (!(frame.pressure[i] > 0)) free += frame.power[i];
   }
   const bool isSteady = !frame.transient && !frame.isSettling;
-  const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(frameVelocity(frame))
+  const double power = isSteady ? frictionForce(frame.drawn()) * std::abs(frameVelocity(frame))
                                 : whole * frame.spacing;
   if (!(whole > 0)) return Words::tr("nothing is dissipated");
   return filled(Words::tr("%1 total, %2 % in the free surface"),

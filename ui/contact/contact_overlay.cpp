@@ -136,15 +136,16 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   if (showsPressure ? greatestPressure(frame) > 0 : greatestFinite(values) > 0) return {};
   const bool rests = frameVelocity(frame) == 0;
   // If all points were in contact, they would bear pressure.
-  const bool touches =
-      frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
+  const bool touches = frame.state.contactFraction < 1 &&
+                       (frame.state.normalForce > 0 || frame.state.contactFraction > 0);
   if (touches && !(greatestPressure(frame) > 0))
     return Words::tr("no colours: the contact is too small to be drawn");
   if (showsPressure) return Words::tr("no colours: nothing touches");
   if (overlay == ContactOverlay::Power)
     return rests ? Words::tr("no colours: nothing is dissipated at rest")
                  : Words::tr("no colours: nothing is dissipated");
-  if (frame.contactFraction >= 1) return Words::tr("no colours: all of the surface is in contact");
+  if (frame.state.contactFraction >= 1)
+    return Words::tr("no colours: all of the surface is in contact");
   return rests ? Words::tr("no colours: at rest nothing leaves contact")
                : Words::tr("no colours: nothing has left contact yet");
 }

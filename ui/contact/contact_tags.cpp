@@ -111,7 +111,7 @@ std::string frictionName(const Frame& frame, bool brief) {
 }
 
 Tag normalForceTag(const Frame& frame) {
-  return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
+  return {{{"F"}, {"N", false, true}, {" = " + quantity(frame.drawn().normalForce, "N")}},
           ArrowDirection::Down,
           {},
           ContactHandle::Force,
@@ -121,7 +121,7 @@ Tag normalForceTag(const Frame& frame) {
 Tag frictionTag(const Frame& frame, bool brief) {
   return {{{frictionName(frame, brief)},
            {"x", false, true},
-           {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
+           {" = " + quantity(frictionForce(frame.drawn()), "N")}},
           pushesRight(frame) ? ArrowDirection::Right : ArrowDirection::Left,
           {},
           ContactHandle::None,
@@ -133,7 +133,7 @@ Tag frictionTag(const Frame& frame, bool brief) {
 
 std::vector<Tag> forceTags(const Frame& frame, bool brief) {
   std::vector<Tag> tags;
-  const ContactState state = drawnState(frame);
+  const ContactState& state = frame.drawn();
   if (state.normalForce > 0) tags.push_back(normalForceTag(frame));
   // Without friction (none, a state without it, or one below its own error, as after a stop)
   // rounding errors get no arrow.

@@ -231,7 +231,7 @@ std::optional<std::size_t> smallestGap(const Frame& frame) {
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres) {
   if (!isDrawable(frame) || hasInterval(frame, metres)) return std::nullopt;
   if (const auto point = greatestPressurePoint(frame)) return point;
-  const bool touches = frame.normalForce > 0 || frame.contactFraction > 0;
+  const bool touches = frame.state.normalForce > 0 || frame.state.contactFraction > 0;
   return touches ? smallestGap(frame) : std::nullopt;
 }
 

@@ -19,7 +19,7 @@ constexpr double kMinMove = 1e-6;
 /// Relative to the terms of a balance: smaller values are rounding errors.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Elements with a threshold below a climb: their number, and the sum of their thresholds (m).
+/// Elements with a threshold below an approach: their number, and the sum of their thresholds (m).
 struct Touched {
   double count = 0, sum = 0;
 };
@@ -34,11 +34,11 @@ double sumOf(const Parts& parts) {
   return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
-/// Returns the elements that a climb (m) touches.
-Touched touchedBy(double climb, std::span<const double> thresholds) {
+/// Returns the elements that the line touches after an approach (m).
+Touched touchedBy(double approach, std::span<const double> thresholds) {
   Parts count{}, sum{};
   const auto add = [&](std::size_t part, double threshold) {
-    const bool below = threshold < climb;
+    const bool below = threshold < approach;
     count[part] += below ? 1.0 : 0.0;
     sum[part] += below ? threshold : 0.0;
   };
@@ -178,12 +178,12 @@ void TimeMarch::placeLine() {
   }
 }
 
-/// Returns the climb to the first threshold and further with sum max(0, further - threshold_i) =
-/// load (m). Thresholds are counted from the first one on, because a load may press by far less
-/// than the climb. Newton's method on a convex, piecewise linear function: after the first step it
-/// approaches from the right and only falls, until the set of touched elements repeats; a step that
-/// does not fall is rounding.
-TimeMarch::Climb TimeMarch::balance(double load) {
+/// Returns the approach up to the first threshold and further, with sum max(0, further -
+/// threshold_i) = load (m). Thresholds are counted from the first one on, because a load may press
+/// by far less than the approach. Newton's method on a convex, piecewise linear function: after the
+/// first step it approaches from the right and only falls, until the set of touched elements
+/// repeats; a step that does not fall is rounding.
+TimeMarch::Approach TimeMarch::balance(double load) {
   const double lowest = smallest(threshold_);
   for (double& threshold : threshold_) threshold -= lowest;
   double d = std::max(-lowest, load);
@@ -235,9 +235,9 @@ void TimeMarch::prepareSteps(double dt) {
   }
 }
 
-/// Computes the depths at the end of the step if nothing touches, and the climb of the line to
-/// reach them. Under a constant p a short step presses elements by far less than their depth, so
-/// everything is counted from the step's beginning: a touched element has exactly no gap.
+/// Computes the depths at the end of the step if nothing touches, and the approach at which the
+/// line reaches them. Under a constant p a short step presses elements by far less than their
+/// depth, so everything is counted from the step's beginning: a touched element has exactly no gap.
 void TimeMarch::creepFreely() {
   const std::size_t count = depth_.size();
   std::fill(free_.begin(), free_.end(), 0);
@@ -263,14 +263,14 @@ void TimeMarch::creepFreely() {
 
 /// Presses the touched elements to the new indentation and computes the sums.
 template <bool IsConstant>
-MarchStep TimeMarch::finishStep(const Climb& climb) {
+MarchStep TimeMarch::finishStep(const Approach& approach) {
   const std::size_t count = depth_.size();
   const double before = before_;
   const double h = 4 * line_->spacing;  // p is 4 times the load of the amplitudes
   double load = 0, work = 0, stored = 0, dissipated = 0, advance = 0, closing = 0;
   std::size_t touching = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double pushed = std::max(climb.further - threshold_[i], 0.0);
+    const double pushed = std::max(approach.further - threshold_[i], 0.0);
     const double start = depth_[i], end = pushed > 0 ? indentation_ - height_[i] : free_[i];
     const double last = 0.25 * pressure_[i], now = pushed / compliance_;
     const double mean = IsConstant ? now : 0.5 * (last + now);
@@ -344,11 +344,11 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   placeLine();
   creepFreely();
   before_ = indentation_;
-  const Climb climb = load.kind == LoadKind::Force
-                          ? balance(load.normalForce * compliance_ / (4 * line_->spacing))
-                          : Climb{0, load.depth - indentation_};
-  indentation_ += climb.whole();
-  MarchStep result = isPressureConstant_ ? finishStep<true>(climb) : finishStep<false>(climb);
+  const Approach approach = load.kind == LoadKind::Force
+                                ? balance(load.normalForce * compliance_ / (4 * line_->spacing))
+                                : Approach{0, load.depth - indentation_};
+  indentation_ += approach.whole();
+  MarchStep result = isPressureConstant_ ? finishStep<true>(approach) : finishStep<false>(approach);
   countContacts(result);
   const bool moves = std::abs(distance) > kMinMove * line_->spacing;
   result.slopeForce = moves ? result.lineWork / distance : slopeForce();

@@ -131,20 +131,20 @@ class TimeMarch {
     }
   };
 
-  /// Movement of the line in a step, m.
-  struct Climb {
-    double toTouch, further;
-    double whole() const { return toTouch + further; }
+  /// How far the line approaches the elastomer in a step, m: up to the first element, and further.
+  struct Approach {
+    double toContact, further;
+    double whole() const { return toContact + further; }
   };
 
   bool needsConstantPressure(double dt) const;
   void prepareSteps(double dt);
   void moveLine(double distance);
   void placeLine();
-  Climb balance(double load);
+  Approach balance(double load);
   void creepFreely();
   template <bool IsConstant>
-  MarchStep finishStep(const Climb& climb);
+  MarchStep finishStep(const Approach& approach);
   void countContacts(MarchStep& step) const;
   void keepBegin();
   void recordStep(double dt);
@@ -163,7 +163,7 @@ class TimeMarch {
   std::vector<double> amplitude_;   // m, [mode][element]
   std::vector<double> lastHeight_;  // m, before the step
   std::vector<double> free_;        // m, depths at the end of the step if nothing touches
-  std::vector<double> threshold_;   // m, climb of the line at which it touches each element
+  std::vector<double> threshold_;   // m, approach at which the line touches each element
   std::vector<Creep> creep_;
   MarchRecords records_;
   std::vector<double> sinceContact_, power_;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/column_units.h"
 #include "core/base/text_table.h"
 #include "tests/core/error_from.h"
 
@@ -203,6 +204,11 @@ TEST(TextCell, AColumnHasOneUnitAfterwards) {
     TextBlock mixed = blockOf(text);
     EXPECT_NE(errorFrom([&] { unifyUnits(mixed, "mine.csv"); }), "no error") << text;
   }
+  // A column without a name is told by its number.
+  TextBlock mixed = blockOf("v;F\n10 mm/s;3 N\n1 mm;4 N\n");
+  mixed.columns[0].name.clear();
+  EXPECT_EQ(errorFrom([&] { unifyUnits(mixed, "mine.csv"); }),
+            "mine.csv: row 3: column 1 has the unit mm here, and mm/s elsewhere");
   // A missing value needs no unit.
   TextBlock missing = blockOf("v;F\n10 mm/s;3 N\n;4 N\n1 m/s;5 N\n");
   unifyUnits(missing, "mine.csv");

@@ -480,6 +480,14 @@ TEST(TextTable, PassesOverRowsOfSeparatorsAboveTheNumbers) {
   }
 }
 
+/// A line that is drawn below names leaves them their columns, whatever it is drawn with.
+TEST(TextTable, PassesOverDrawnLinesAboveTheNumbers) {
+  for (const char* line : {"-----", "=====", "*****", "*** *** ***", "+---+---+"}) {
+    const TextTable made = read(std::string("a;b;c\n") + line + "\n1;2;3\n4;5;6\n");
+    EXPECT_EQ(made.largest().columns[1].name, "b") << line;
+  }
+}
+
 TEST(TextTable, ReadsARowOfUnitsWithIn) {
   const TextTable made = read("Weg;H\u00F6he\nin mm;in um\n0;1.5\n1;2.5\n");
   EXPECT_EQ(made.largest().columns[0].name, "Weg");

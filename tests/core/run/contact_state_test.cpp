@@ -47,12 +47,12 @@ TEST(ContactState, NamesVelocityForceContactsAndFriction) {
   for (const ContactInterval& contact : contacts) longest = std::max(longest, contact.length);
   for (const std::string& part :
        {std::string("slides to the right at 1 m/s"), std::string("presses with 20 mN"),
-        printedQuantity(frame.indentation, "m") + " below",
+        printedQuantity(frame.state.indentation, "m") + " below",
         "at " + std::to_string(contacts.size()) + " contacts",
-        printedNumber(100 * frame.contactFraction) + " % of the period of 20 mm",
+        printedNumber(100 * frame.state.contactFraction) + " % of the period of 20 mm",
         "longest contact is " + printedQuantity(longest, "m"),
-        "coefficient of friction is " + printedNumber(frame.muSteady, 3, Zeros::Keep),
-        "a tangential force of " + printedQuantity(frame.tangentialForce, "N")})
+        "coefficient of friction is " + printedNumber(frame.state.mu, 3, Zeros::Keep),
+        "a tangential force of " + printedQuantity(frame.state.tangentialForce, "N")})
     EXPECT_TRUE(says(text, part)) << part << " is not in " << text;
   EXPECT_EQ(describeContact(frame).size(), 4U);
 }
@@ -60,7 +60,7 @@ TEST(ContactState, NamesVelocityForceContactsAndFriction) {
 TEST(ContactState, SpeaksOfOneContactInTheSingular) {
   const Frame frame = frameOf([](Scene& scene) { scene.surface.kind = SurfaceKind::Parabola; });
   ASSERT_EQ(findIntervals(frame, false).size(), 1U);
-  const std::string length = printedQuantity(frame.contactFraction * frame.length, "m");
+  const std::string length = printedQuantity(frame.state.contactFraction * frame.length, "m");
   EXPECT_TRUE(says(said(frame), "at one contact of " + length + ", which is ")) << said(frame);
 }
 
@@ -73,7 +73,7 @@ TEST(ContactState, SpeaksOfRestAndOfFullContact) {
 
 TEST(ContactState, SaysWhereFrictionComesFrom) {
   const Frame both = frameOf([](Scene& scene) { scene.interface.frictionCoefficient = 0.3; });
-  EXPECT_TRUE(says(said(both), printedNumber(both.muSteady, 3, Zeros::Keep) +
+  EXPECT_TRUE(says(said(both), printedNumber(both.state.mu, 3, Zeros::Keep) +
                                    " from the deformation of the elastomer and 0.300 from the "
                                    "interface"))
       << said(both);
@@ -89,12 +89,12 @@ TEST(ContactState, SaysWhereFrictionComesFrom) {
 TEST(ContactState, SpeaksOfWhatIsDrawnWhileItSettles) {
   Frame frame = frameOf();
   frame.isSettling = true;
-  frame.drawn = {3e-7, 0.01, 0.001, 0.05, 0.1, 0};
+  frame.marched = {3e-7, 0.01, 0.001, 0.05, 0.1, 0};
   const std::string text = said(frame);
-  EXPECT_EQ(drawnState(frame).mu, 0.1);
+  EXPECT_EQ(frame.drawn().mu, 0.1);
   EXPECT_TRUE(says(text, "presses with 10 mN")) << text;
   EXPECT_TRUE(says(text, "friction is 0.100")) << text;
-  EXPECT_TRUE(says(text, "whose coefficient is " + printedNumber(frame.muSteady, 3, Zeros::Keep)));
+  EXPECT_TRUE(says(text, "whose coefficient is " + printedNumber(frame.state.mu, 3, Zeros::Keep)));
 }
 
 TEST(ContactState, SpeaksOfAMotionAtItsMoment) {
@@ -102,7 +102,7 @@ TEST(ContactState, SpeaksOfAMotionAtItsMoment) {
   frame.transient = std::make_shared<std::vector<TransientSample>>();
   frame.time = 2e-3;
   frame.velocity = -0.5;
-  frame.muMarch = kNotApplicable;
+  frame.state.mu = kNotApplicable;
   const std::string text = said(frame);
   EXPECT_TRUE(says(text, "At 2 ms of the motion the rigid line slides to the left at 500 mm/s."))
       << text;
@@ -125,8 +125,8 @@ TEST(ContactState, SaysWhatTheCurveTells) {
 TEST(ContactState, AFrameWithoutContactSaysSo) {
   Frame frame = frameOf();
   std::ranges::fill(frame.pressure, 0);
-  frame.normalForce = 0;
-  frame.contactFraction = 0;
+  frame.state.normalForce = 0;
+  frame.state.contactFraction = 0;
   const std::string text = said(frame);
   EXPECT_TRUE(says(text, "do not touch") && says(text, "no friction")) << text;
   EXPECT_TRUE(describeContact(Frame{}).empty());

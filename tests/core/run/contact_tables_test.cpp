@@ -37,7 +37,7 @@ TEST(ContactTables, ContactsAndGapsCoverThePeriodOnce) {
   EXPECT_GT(contacts.rows.size(), 3U);
   EXPECT_EQ(contacts.rows.size(), gaps.rows.size());  // in turns on a periodic line
   EXPECT_NEAR(sum(contacts, "length") + sum(gaps, "length"), frame.length, 1e-12 * frame.length);
-  EXPECT_NEAR(sum(contacts, "length") / frame.length, frame.contactFraction, 0.01);
+  EXPECT_NEAR(sum(contacts, "length") / frame.length, frame.state.contactFraction, 0.01);
 }
 
 /// F_N = sum p dx and F_x = -sum p z' dx = -mu F_N towards +x, Eqs. (3) and (4).
@@ -45,8 +45,9 @@ TEST(ContactTables, ForcesOfContactsAddUpToThoseOfTheLine) {
   const Frame frame = frameForTables();
   const DataTable contacts = contactsTable(frame), shape = shapeTable(frame);
   EXPECT_NEAR(sum(contacts, "normal_force"), sum(shape, "line_load") * frame.spacing, 1e-15);
-  EXPECT_NEAR(sum(contacts, "normal_force") / frame.normalForce, 1, 0.01);
-  EXPECT_NEAR(sum(contacts, "tangential_force") / (-frame.muSteady * frame.normalForce), 1, 0.02);
+  EXPECT_NEAR(sum(contacts, "normal_force") / frame.state.normalForce, 1, 0.01);
+  EXPECT_NEAR(sum(contacts, "tangential_force") / (-frame.state.mu * frame.state.normalForce), 1,
+              0.02);
   for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
     EXPECT_LE(number(contacts, i, "mean_line_load"), number(contacts, i, "largest_line_load"));
     EXPECT_NEAR(number(contacts, i, "mean_line_load") * number(contacts, i, "length"),
@@ -104,8 +105,9 @@ TEST(ContactTables, PowerIsBalanced) {
     const DataTable power = powerTable(frame);
     const double in = number(power, 0, "power_in");
     EXPECT_NEAR(number(power, 0, "power_dissipated") / in, 1, 0.02);
-    EXPECT_NEAR(in, (frame.muSteady + frame.muInterface) * frame.normalForce * frame.velocity,
-                0.01 * in);
+    EXPECT_NEAR(
+        in, (frame.state.mu + frame.state.muInterface) * frame.state.normalForce * frame.velocity,
+        0.01 * in);
     EXPECT_NEAR(sum(shapeTable(frame), "power") * frame.spacing,
                 number(power, 0, "power_dissipated"), 1e-12 * in);
     EXPECT_GT(number(power, 0, "power_free"), 0);
@@ -149,7 +151,7 @@ TEST(ContactTables, CompleteContactIsOneStretchWithoutAnEdge) {
     scene.load.normalForce = 100;
     scene.sliding.velocity = 1e-3;
   });
-  ASSERT_EQ(frame.contactFraction, 1);
+  ASSERT_EQ(frame.state.contactFraction, 1);
   const DataTable contacts = contactsTable(frame);
   ASSERT_EQ(contacts.rows.size(), 1U);
   EXPECT_NEAR(number(contacts, 0, "length"), frame.length, 1e-12);

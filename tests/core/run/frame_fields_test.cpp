@@ -74,7 +74,7 @@ TEST(ContactAge, AgreesWithTheFreeSurface) {
     if (frame.pressure[i] > 0 || frame.pressure[i + 1] > 0) continue;
     const double ages = frame.sinceContact[i] - frame.sinceContact[i + 1];
     // Another contact has come between; or all but nothing is left to come back.
-    if (ages < 0 || frame.surfaceHeight[i] > -1e-6 * frame.indentation) continue;
+    if (ages < 0 || frame.surfaceHeight[i] > -1e-6 * frame.state.indentation) continue;
     EXPECT_NEAR(ages, tau * std::log(frame.surfaceHeight[i + 1] / frame.surfaceHeight[i]),
                 1e-3 * ages)
         << i;
@@ -89,7 +89,7 @@ TEST(Power, OfSteadySlidingIsFrictionTimesVelocity) {
     for (const double velocity : {0.01, 1.0, 30.0}) {
       const SteadyFrames frames(shared(withElastomer(rheology, velocity)), kEverything);
       const Frame frame = frames.frame(0, 1, 25);
-      const double wanted = frame.tangentialForce * velocity;
+      const double wanted = frame.state.tangentialForce * velocity;
       EXPECT_NEAR(integral(frame.power, frame.spacing), wanted, 0.02 * wanted)
           << static_cast<int>(rheology) << " " << velocity;
       for (const double power : frame.power) EXPECT_GE(power, 0);
@@ -154,7 +154,7 @@ TEST(Power, OfMarchedSteadySlidingIsFrictionTimesVelocity) {
       before = frame.time;
     }
     const Frame frame = simulation.frame();
-    EXPECT_NEAR(energy / (frame.tangentialForce * frame.distance), 1, 0.02)
+    EXPECT_NEAR(energy / (frame.state.tangentialForce * frame.distance), 1, 0.02)
         << static_cast<int>(rheology);
   }
 }
@@ -283,7 +283,7 @@ TEST(Power, OfAMarchAtRestIsNone) {
         }
         const Frame frame = simulation.frame();
         for (std::size_t i = 0; i < begin.size(); ++i)
-          ASSERT_NEAR(frame.surfaceHeight[i], begin[i], 1e-14 * frame.indentation);
+          ASSERT_NEAR(frame.surfaceHeight[i], begin[i], 1e-14 * frame.state.indentation);
       }
 }
 

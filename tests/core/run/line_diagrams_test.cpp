@@ -195,18 +195,18 @@ TEST(Statistics, MeanPressureTimesContactLengthIsTheNormalForce) {
         const Frame frame = SteadyFrames(std::make_shared<const Scene>(scene), {}).frame(0, 1, 25);
         const Diagram pressures = statisticsSheet(frame).diagrams[0];
         if (pressures.series.empty()) {  // contact between two points
-          EXPECT_LT(frame.contactFraction, 1e-3);
+          EXPECT_LT(frame.state.contactFraction, 1e-3);
           continue;
         }
         const double mean = pressures.series[1].points[0].x;
-        EXPECT_NEAR(mean * frame.contactFraction * frame.length / force, 1, 1e-12);
+        EXPECT_NEAR(mean * frame.state.contactFraction * frame.length / force, 1, 1e-12);
         const std::vector<DiagramPoint>& steps = pressures.series[0].points;
         double sum = 0, shares = 0;
         for (std::size_t i = 1; i + 1 < steps.size(); i += 2) {
           sum += steps[i].y * 0.5 * (steps[i].x + steps[i + 1].x);
           shares += steps[i].y;
         }
-        if (frame.contactFraction < 0.02) continue;
+        if (frame.state.contactFraction < 0.02) continue;
         // The hundredth of the length under the highest pressures is not shown.
         EXPECT_LT(sum / shares / mean, 1.01);
         EXPECT_GT(sum / shares / mean, 0.95) << force << " N, " << velocity << " m/s";

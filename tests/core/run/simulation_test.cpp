@@ -32,12 +32,12 @@ TEST(Simulation, StartsInTheSteadyStateAndStaysThere) {
   Simulation simulation(fine, 1);
   const Frame start = simulation.frame();
   EXPECT_EQ(start.time, 0);
-  EXPECT_GT(start.contactFraction, 0);
+  EXPECT_GT(start.state.contactFraction, 0);
   for (int i = 0; i < 50; ++i) simulation.advance(1.0 / 50, 1.0 / 60);
   const Frame later = simulation.frame();
   EXPECT_NEAR(later.distance, 0.02, 1e-12);
-  EXPECT_NEAR(later.muMarch / later.muSteady, 1, 0.02);
-  EXPECT_NEAR(later.indentation / start.indentation, 1, 0.01);
+  EXPECT_NEAR(later.muMarch / later.state.mu, 1, 0.02);
+  EXPECT_NEAR(later.state.indentation / start.state.indentation, 1, 0.01);
 }
 
 /// What is pressed far less than before comes back with exp(-t/tau) (Eq. (1) without pressure).
@@ -58,7 +58,7 @@ TEST(Simulation, AChangedSceneSettlesAndSaysSo) {
   const Frame settled = simulation.frame();
   double lowest = 0;
   for (const double height : settled.surfaceHeight) lowest = std::min(lowest, height);
-  EXPECT_LT(-lowest, 1.03 * settled.indentation);
+  EXPECT_LT(-lowest, 1.03 * settled.state.indentation);
   simulation.update(someScene(), 3);
   EXPECT_TRUE(simulation.frame().isSettling);
   simulation.reset();
@@ -73,10 +73,10 @@ void expectDrawn(const Frame& frame) {
     touching += pressure > 0 ? 1 : 0;
   }
   const double lowest = *std::ranges::min_element(frame.lineHeight);
-  EXPECT_NEAR(frame.drawn.normalForce, force, 1e-9 * force);  // lifted, it touches nothing
-  EXPECT_NEAR(frame.drawn.contactFraction, touching / static_cast<double>(frame.pressure.size()),
+  EXPECT_NEAR(frame.marched.normalForce, force, 1e-9 * force);  // lifted, it touches nothing
+  EXPECT_NEAR(frame.marched.contactFraction, touching / static_cast<double>(frame.pressure.size()),
               1e-12);
-  EXPECT_NEAR(frame.drawn.indentation / -lowest, 1, 0.01) << "to an element";
+  EXPECT_NEAR(frame.marched.indentation / -lowest, 1, 0.01) << "to an element";
 }
 
 /// Either of what may be held constant meets its value at once: the other one tells.
@@ -101,7 +101,7 @@ TEST(Simulation, WhatIsDrawnWhileItSettlesHasItsOwnFacts) {
       ASSERT_LT(frames, 5000);
       expectDrawn(frame);
       if (kind == LoadKind::Indentation) {
-        EXPECT_NEAR(frame.drawn.indentation, 5e-7, 1e-12);
+        EXPECT_NEAR(frame.marched.indentation, 5e-7, 1e-12);
       }
       simulation.advance(1.0 / 7200, 1.0 / 60);
     }
@@ -109,9 +109,9 @@ TEST(Simulation, WhatIsDrawnWhileItSettlesHasItsOwnFacts) {
     const Frame settled = simulation.frame();
     double force = 0;
     for (const double pressure : settled.pressure) force += pressure * settled.spacing;
-    EXPECT_NEAR(force / settled.normalForce, 1, 0.03);
+    EXPECT_NEAR(force / settled.state.normalForce, 1, 0.03);
     const double lowest = *std::ranges::min_element(settled.lineHeight);
-    EXPECT_NEAR(-lowest / settled.indentation, 1, 0.03) << "one truth";
+    EXPECT_NEAR(-lowest / settled.state.indentation, 1, 0.03) << "one truth";
     // It does not begin again by itself.
     for (int i = 0; i < 100; ++i) {
       simulation.advance(1.0 / 720, 1.0 / 60);
@@ -225,8 +225,8 @@ TEST(Simulation, AMomentOfAMotionIsFoundAgain) {
         ASSERT_EQ(found.transient->size(), frame.transient->size());
         for (std::size_t i = 0; i < found.transient->size(); ++i)
           EXPECT_EQ((*found.transient)[i].indentation, (*frame.transient)[i].indentation);
-        if (std::isfinite(frame.muMarch)) {
-          EXPECT_EQ(found.muMarch, frame.muMarch);
+        if (std::isfinite(frame.state.mu)) {
+          EXPECT_EQ(found.state.mu, frame.state.mu);
         }
       }
     }
@@ -274,10 +274,10 @@ TEST(Simulation, AStartBeginsAtRest) {
   scene->sliding.velocity = 0.5;
   Simulation simulation(scene, 1);
   EXPECT_EQ(simulation.frame().velocity, 0);
-  EXPECT_LT(simulation.frame().muMarch, 1e-6);
+  EXPECT_LT(simulation.frame().state.mu, 1e-6);
   simulation.advance(1.0 / 72, 1.0 / 60);
   EXPECT_EQ(simulation.frame().velocity, 0.5);
-  EXPECT_GT(simulation.frame().muMarch, 1e-5);
+  EXPECT_GT(simulation.frame().state.mu, 1e-5);
 }
 
 TEST(Simulation, SteadySlidingHasNoMoments) {
@@ -355,7 +355,7 @@ TEST(Simulation, AChangeWhilePausedShowsTheNewSteadyState) {
   heavier->load.normalForce = 2;
   simulation.update(heavier, 2, Simulation::Shape::Steady);
   const Frame frame = simulation.frame();
-  EXPECT_NEAR(frame.normalForce, 2, 1e-12);
+  EXPECT_NEAR(frame.state.normalForce, 2, 1e-12);
   EXPECT_NEAR(frame.distance, 0.002, 1e-4);  // the line stays where it was, to a node
   EXPECT_EQ(frame.timeScale, 0);
   double force = 0;
@@ -392,7 +392,7 @@ TEST(Simulation, ASpeedStepRelaxesToTheNewSteadyState) {
   simulation.update(slower, 2);
   for (int i = 0; i < 60; ++i) simulation.advance(1.0 / 30, 1.0 / 60);
   const Frame frame = simulation.frame();
-  EXPECT_NEAR(frame.muMarch / frame.muSteady, 1, 0.02);
+  EXPECT_NEAR(frame.muMarch / frame.state.mu, 1, 0.02);
 }
 
 TEST(Simulation, FrictionIsNotReadFromStepsTooLongForIt) {
@@ -401,7 +401,7 @@ TEST(Simulation, FrictionIsNotReadFromStepsTooLongForIt) {
   Simulation simulation(scene, 1);
   simulation.advance(0.01, 1.0 / 60);
   EXPECT_TRUE(std::isnan(simulation.frame().muMarch));
-  EXPECT_GT(simulation.frame().muSteady, 0);
+  EXPECT_GT(simulation.frame().state.mu, 0);
 }
 
 /// On some lines, loads and velocities, settled: what is shown is the steady friction to 10 %, and
@@ -427,7 +427,7 @@ TEST(Simulation, FrictionIsReadOnlyWhereContactsAreResolved) {
             continue;
           }
           ++read;
-          EXPECT_NEAR(frame.muMarch / frame.muSteady, 1, 0.1)
+          EXPECT_NEAR(frame.muMarch / frame.state.mu, 1, 0.1)
               << force << " N, " << velocity << " m/s, " << finer;
         }
       }
@@ -455,14 +455,14 @@ TEST(Simulation, SettledFramesShowWhatTheirNumbersSay) {
       if (!(frame.pressure[k] > 0)) continue;
       EXPECT_NEAR(frame.pressure[k], 4 * g * (c * frame.lineSlope[k] - frame.surfaceHeight[k]),
                   1e-9 * largest);
-      EXPECT_NEAR(frame.lineHeight[k], frame.surfaceHeight[k], 1e-12 * frame.indentation);
+      EXPECT_NEAR(frame.lineHeight[k], frame.surfaceHeight[k], 1e-12 * frame.state.indentation);
     }
     // The sum over the points of a line at two points to an element.
-    EXPECT_NEAR(power / ((frame.muSteady + 0.1) * frame.normalForce), 1, 0.1);
+    EXPECT_NEAR(power / ((frame.state.mu + 0.1) * frame.state.normalForce), 1, 0.1);
     // The line stands where it has slid to, to a node.
     const auto n = frame.lineHeight.size();
     const auto lowest = std::min_element(frame.lineHeight.begin(), frame.lineHeight.end());
-    EXPECT_NEAR(-*lowest, frame.indentation, 0.01 * frame.indentation);
+    EXPECT_NEAR(-*lowest, frame.state.indentation, 0.01 * frame.state.indentation);
     const auto at = static_cast<std::size_t>(lowest - frame.lineHeight.begin());
     const auto slid = static_cast<std::size_t>(std::llround(frame.distance / frame.spacing));
     if (i == 0) first = (at + n - slid % n) % n;
@@ -489,15 +489,15 @@ TEST(Simulation, AMotionThatStopsHasFrictionAtAllTimes) {
   auto scene = movingScene(SlidingKind::Step, 0.004);
   scene->sliding.velocityAfter = 0;
   Simulation simulation(scene, 1);
-  EXPECT_GT(simulation.frame().muMarch, 0);
+  EXPECT_GT(simulation.frame().state.mu, 0);
   double sliding = 0, resting = 0;
   while (simulation.frame().time < scene->sliding.duration) {
     simulation.advance(1.0 / 100, 1.0 / 60);
     const Frame frame = simulation.frame();
-    ASSERT_TRUE(std::isfinite(frame.muMarch)) << frame.time;
+    ASSERT_TRUE(std::isfinite(frame.state.mu)) << frame.time;
     ASSERT_TRUE(frame.step <= 2 || std::isfinite(frame.muError)) << frame.time;
-    (frame.velocity > 0 ? sliding : resting) = frame.muMarch;
-    EXPECT_TRUE(frame.velocity > 0 || frame.time > 0.0022 || frame.muMarch > 0.05 * sliding);
+    (frame.velocity > 0 ? sliding : resting) = frame.state.mu;
+    EXPECT_TRUE(frame.velocity > 0 || frame.time > 0.0022 || frame.state.mu > 0.05 * sliding);
   }
   EXPECT_LT(resting, 0.2 * sliding);
 }
@@ -538,8 +538,8 @@ TEST(Simulation, AnotherLineUnderAPressureIsPressedInByItsForce) {
   };
   const Frame force = pressedIn(LoadKind::Force), pressure = pressedIn(LoadKind::Pressure);
   ASSERT_TRUE(pressure.isSettling);
-  EXPECT_NEAR(pressure.drawn.indentation / force.drawn.indentation, 1, 1e-9);
-  EXPECT_NEAR(pressure.drawn.normalForce / force.drawn.normalForce, 1, 1e-9);
+  EXPECT_NEAR(pressure.marched.indentation / force.marched.indentation, 1, 1e-9);
+  EXPECT_NEAR(pressure.marched.normalForce / force.marched.normalForce, 1, 1e-9);
 }
 
 /// The strips of a motion begin at time 0 and show its extremes, whether few or many frames are
@@ -596,8 +596,8 @@ TEST(Simulation, AMotionThatBeginsAtRestBeginsWithoutFriction) {
   scene->sliding.velocity = 0;
   scene->sliding.amplitude = 0.5;
   const Frame frame = Simulation(scene, 1).frame();
-  EXPECT_EQ(frame.tangentialForce, 0);
-  EXPECT_EQ(frame.muMarch, 0);
+  EXPECT_EQ(frame.state.tangentialForce, 0);
+  EXPECT_EQ(frame.state.mu, 0);
 }
 
 }  // namespace

@@ -89,8 +89,9 @@ TEST(SteadyFrames, PowerIsThatOfTheWholeFriction) {
     const Frame frame = SteadyFrames(scene, {false, false, true}).frame(0, 1, 25);
     double sum = 0;
     for (const double power : frame.power) sum += power * frame.spacing;
-    const double wanted = (frame.muSteady + frame.muInterface) * frame.normalForce * frame.velocity;
-    EXPECT_EQ(frame.muInterface > 0, coefficient + shear > 0);
+    const double wanted =
+        (frame.state.mu + frame.state.muInterface) * frame.state.normalForce * frame.velocity;
+    EXPECT_EQ(frame.state.muInterface > 0, coefficient + shear > 0);
     EXPECT_NEAR(sum / wanted, 1, 0.02) << coefficient << " " << shear;
   }
 }

@@ -38,7 +38,7 @@ CurveUpdate update(const Scene& scene, std::vector<CurvePoint> points, std::int6
 Frame frame(const Scene& scene, double mu) {
   Frame made;
   made.scene = std::make_shared<const Scene>(scene);
-  made.muSteady = mu;
+  made.state.mu = mu;
   return made;
 }
 

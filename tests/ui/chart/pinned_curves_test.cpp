@@ -184,7 +184,7 @@ TEST_F(PinnedCurves, TheMarkerFollowsTheAxesAndBack) {
   frame.scene = std::make_shared<const Scene>(scene);
   frame.rmsHeight = 5e-7;
   frame.rmsSlope = 1e-3;
-  frame.muSteady = 2e-4;
+  frame.state.mu = 2e-4;
   diagram_.mark(frame);
   diagram_.setAxes(CurveAxes::Dimensionless);
   const double vbar = 1e-3 * 0.02 * 1e-3 / (std::sqrt(2) * 5e-7);

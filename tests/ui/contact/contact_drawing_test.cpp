@@ -45,7 +45,7 @@ TEST(ContactDrawing, LabelsLeaveTheLineWhole) {
   const auto context = makeOsmesaContext();
   Frame frame = singleContact(400, 200);
   frame.pressure.assign(400, 0);
-  frame.normalForce = 0;
+  frame.state.normalForce = 0;
   auto scene = std::make_shared<Scene>();
   scene->sliding.velocity = 1;
   frame.scene = scene;
@@ -104,7 +104,7 @@ TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
     const auto where = static_cast<std::size_t>(0.3 * points);
     Frame frame = singleContact(points, where);
     frame.pressure[where] = 0;
-    frame.normalForce = 1e-9;
+    frame.state.normalForce = 1e-9;
     ContactPictureOptions options;
     const Box plot = contactPlotArea(frame, options);
     const ContactView view = resolvedView(frame, {});
@@ -117,7 +117,7 @@ TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
       return difference(pixels, static_cast<int>(x), static_cast<int>(y), pressureColour(1));
     };
     EXPECT_LE(off(), 3) << points;
-    frame.normalForce = 0;  // nothing touches
+    frame.state.normalForce = 0;  // nothing touches
     EXPECT_GT(off(), 40) << points;
   }
 }

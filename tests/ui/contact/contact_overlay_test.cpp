@@ -103,7 +103,7 @@ TEST(Overlay, SaysWhyNothingIsColoured) {
   EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Power), "no colours: nothing is dissipated");
   EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Pressure), "");
   EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::None), "");
-  sliding.contactFraction = 1;
+  sliding.state.contactFraction = 1;
   EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Relaxation),
             "no colours: all of the surface is in contact");
   sliding.pressure.assign(sliding.pressure.size(), 0.0);

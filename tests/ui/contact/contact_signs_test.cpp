@@ -263,7 +263,7 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
     return ContactHandle::None;
   };
   EXPECT_EQ(handleOf("v = "), ContactHandle::Velocity);
-  EXPECT_EQ(handleOf(" = " + quantity(frame->normalForce, "N")), ContactHandle::Force);
+  EXPECT_EQ(handleOf(" = " + quantity(frame->state.normalForce, "N")), ContactHandle::Force);
   for (const ContactSign& place : contactHandles(*frame, options)) {
     EXPECT_GE(place.box.width, 12);
     EXPECT_EQ(handleAt(*frame, options, place.box.x + place.box.width / 2,

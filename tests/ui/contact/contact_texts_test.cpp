@@ -74,11 +74,11 @@ TEST(ContactTexts, StayTidyWithEveryReading) {
   options.timeScale = 1.234e-7;
   Frame frame = *sampleFrame(options);
   frame.muMarch = 1.2345e-7;
-  frame.muSteady = 123.456;
-  frame.normalForce = 999.4e-9;
+  frame.state.mu = 123.456;
+  frame.state.normalForce = 999.4e-9;
   expectTidyTexts(frame, {}, "every reading");
   frame.scene.reset();
-  frame.muSteady = kNotApplicable;
+  frame.state.mu = kNotApplicable;
   expectTidyTexts(frame, {}, "no scene");
   expectTidyTexts(Frame{}, {}, "nothing");
 }
@@ -91,7 +91,7 @@ TEST(ContactTexts, SayWhatIsShown) {
   SampleOptions options;
   options.points = 300;
   Frame frame = *sampleFrame(options);
-  frame.muSteady = 0.0123;
+  frame.state.mu = 0.0123;
   std::string words = allTexts(frame);
   for (const char* part :
        {"Figure 1", "0.0123", "rigid body", "elastomer", "rigid line slides", "v = 1 m/s",
@@ -125,19 +125,19 @@ TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
   options.points = 300;
   Frame frame = *sampleFrame(options);
   frame.isSettling = true;
-  frame.drawn = {3.21e-6, 0.0456, 0.0456 * 0.0789, 0.123, 0.0789, 0};
-  frame.muSteady = 0.0123;
+  frame.marched = {3.21e-6, 0.0456, 0.0456 * 0.0789, 0.123, 0.0789, 0};
+  frame.state.mu = 0.0123;
   const std::string words = allTexts(frame);
   for (const char* part : {"coefficient of friction \u03BC|0.0789|", "\u03BC when settled|0.0123|",
                            "3.21 \u00B5m|", "12.3 %|", "45.6 mN|", "= 3.6 mN"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
   expectTidyTexts(frame, {}, "settling");
-  frame.drawn.mu = frame.drawn.tangentialForce = kNotApplicable;  // steps too coarse to read it
+  frame.marched.mu = frame.marched.tangentialForce = kNotApplicable;  // steps too coarse to read it
   EXPECT_EQ(contactReadings(frame, {}).front().name, "\u03BC when settled")
       << "as the marker of the chart, which is named after it";
   EXPECT_EQ(allTexts(frame).find("coefficient of friction"), std::string::npos);
   EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos);
-  frame.muSteady = kNotApplicable;
+  frame.state.mu = kNotApplicable;
   EXPECT_NE(allTexts(frame).find("coefficient of friction \u03BC|\u2013|"), std::string::npos);
 }
 
@@ -180,10 +180,10 @@ TEST(ContactTexts, SayWhichPartOfTheFriction) {
   Scene scene = *frame.scene;
   scene.interface.frictionCoefficient = 0.25;
   frame.scene = std::make_shared<const Scene>(scene);
-  frame.muSteady = 0.125;
-  frame.muInterface = 0.25;
-  frame.normalForce = 2;
-  frame.tangentialForce = 0.25;
+  frame.state.mu = 0.125;
+  frame.state.muInterface = 0.25;
+  frame.state.normalForce = 2;
+  frame.state.tangentialForce = 0.25;
   const std::string words = allTexts(frame);
   for (const char* part : {"\u03BC of the deformation|0.125|", "\u03BC of the interface|0.250|",
                            "\u03BC in total|0.375|", "tangential force in total F|x| = 750 mN"})
@@ -196,9 +196,9 @@ TEST(ContactTexts, PowerIsFrictionTimesVelocity) {
   options.points = 300;
   Frame frame = *sampleFrame(options);
   frame.power.assign(frame.pressure.size(), 1);
-  frame.normalForce = 2;
-  frame.muSteady = 0.125;
-  frame.tangentialForce = 0.25;
+  frame.state.normalForce = 2;
+  frame.state.mu = 0.125;
+  frame.state.tangentialForce = 0.25;
   ContactPictureOptions picture;
   picture.overlay = ContactOverlay::Power;
   const auto textsOf = [&] { return allTexts(composeContact(frame, picture)); };
@@ -206,7 +206,7 @@ TEST(ContactTexts, PowerIsFrictionTimesVelocity) {
   Scene scene = *frame.scene;
   scene.interface.frictionCoefficient = 0.25;
   frame.scene = std::make_shared<const Scene>(scene);
-  frame.muInterface = 0.25;
+  frame.state.muInterface = 0.25;
   EXPECT_NE(textsOf().find("750 mW total, "), std::string::npos) << textsOf();
 }
 
@@ -220,7 +220,7 @@ TEST(ContactTexts, AMotionSaysItsErrorAndWhereItsForcePoints) {
   sample.tangentialForce = -0.1;
   frame.transient = std::make_shared<const std::vector<TransientSample>>(1, sample);
   frame.velocity = 0;
-  frame.muMarch = 0.0512;
+  frame.state.mu = 0.0512;
   EXPECT_NE(allTexts(frame).find("|0.0512|"), std::string::npos);
   frame.muError = 0.00213;
   EXPECT_NE(allTexts(frame).find("|0.0512 \u00B1 0.0021|"), std::string::npos) << allTexts(frame);
@@ -265,8 +265,8 @@ TEST(ContactTexts, FrictionIsShownOnlyWhereThereIsSome) {
   Frame frame = *sampleFrame(options);
   EXPECT_NE(allTexts(frame).find("tangential force F|"), std::string::npos);
   for (const double mu : {0.0, kNotApplicable}) {
-    frame.muSteady = mu;
-    frame.tangentialForce = 1e-20;  // what rounding leaves
+    frame.state.mu = mu;
+    frame.state.tangentialForce = 1e-20;  // what rounding leaves
     EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos) << mu;
   }
 }
@@ -278,7 +278,7 @@ TEST(ContactTexts, FrictionBelowItsErrorHasNoArrow) {
   options.points = 300;
   Frame frame = *sampleFrame(options);
   frame.transient = std::make_shared<const std::vector<TransientSample>>();
-  frame.muMarch = 1e-3;
+  frame.state.mu = 1e-3;
   frame.muError = 1e-5;
   EXPECT_NE(allTexts(frame).find("tangential force F|"), std::string::npos);
   frame.muError = 2e-3;
@@ -362,7 +362,7 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   sample.points = 300;
   Frame frame = *sampleFrame(sample);
   frame.isSettling = true;
-  frame.drawn = {1e-6, 1, 0.5, 0.1, 0.5, 0};
+  frame.marched = {1e-6, 1, 0.5, 0.1, 0.5, 0};
   const std::vector<ContactSign> readings = contactReadings(frame, {});
   ASSERT_EQ(readings.size(), 7U);
   const DrawList list = composeContact(frame, {});
@@ -446,7 +446,7 @@ TEST(ContactTexts, NoColourBarWithoutAPressure) {
   EXPECT_EQ(words.find("glow"), std::string::npos);
   EXPECT_NE(words.find("dot: a contact too small to be drawn"), std::string::npos) << words;
   expectTidyTexts(frame, {}, "no pressure");
-  frame.normalForce = frame.contactFraction = 0;
+  frame.state.normalForce = frame.state.contactFraction = 0;
   EXPECT_EQ(allTexts(frame).find("dot:"), std::string::npos);
 }
 
@@ -490,10 +490,10 @@ TEST(ContactTexts, NoColoursDoNotMeanNoContact) {
   frame.power.assign(300, 0);
   for (const ContactOverlay overlay :
        {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
-    frame.normalForce = 1e-9;
-    frame.contactFraction = 1e-6;
+    frame.state.normalForce = 1e-9;
+    frame.state.contactFraction = 1e-6;
     EXPECT_EQ(reasonUncoloured(frame, overlay), "no colours: the contact is too small to be drawn");
-    frame.normalForce = frame.contactFraction = 0;
+    frame.state.normalForce = frame.state.contactFraction = 0;
     EXPECT_NE(reasonUncoloured(frame, overlay), "no colours: the contact is too small to be drawn");
   }
   EXPECT_EQ(reasonUncoloured(frame, ContactOverlay::Pressure), "no colours: nothing touches");

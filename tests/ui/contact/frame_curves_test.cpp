@@ -134,7 +134,7 @@ Frame apart() {
 TEST(NarrowContact, SmallestGapWhereContactLiesBetweenPoints) {
   Frame frame = apart();
   EXPECT_FALSE(narrowContact(frame, 1e-3));  // nothing touches
-  frame.normalForce = 1;
+  frame.state.normalForce = 1;
   EXPECT_EQ(narrowContact(frame, 1e-3), 37U);
   frame.lineHeight[20] = std::nan("");
   EXPECT_EQ(narrowContact(frame, 1e-3), 37U);
@@ -178,7 +178,7 @@ TEST(NarrowContact, FullContactIsWideAndDamagedFramesHaveNone) {
   EXPECT_FALSE(narrowContact(frame, 0.05));
   EXPECT_FALSE(narrowContact(Frame{}, 1));
   frame.pressure.assign(100, std::nan(""));
-  frame.normalForce = 1;
+  frame.state.normalForce = 1;
   EXPECT_EQ(narrowContact(frame, 1e-3), 37U);
   EXPECT_EQ(greatestPressure(frame), 0);
 }

@@ -63,17 +63,18 @@ void sumUp(Frame& frame, const SampleLine& line) {
   double square = 0, slopeSquare = 0;
   const auto n = static_cast<double>(line.height.size());
   for (std::size_t i = 0; i < line.height.size(); ++i) {
-    frame.normalForce += frame.pressure[i] * frame.spacing;
-    frame.tangentialForce += frame.pressure[i] * line.slope[i] * frame.spacing;
-    frame.contactFraction += frame.pressure[i] > 0 ? 1 / n : 0;
+    frame.state.normalForce += frame.pressure[i] * frame.spacing;
+    frame.state.tangentialForce += frame.pressure[i] * line.slope[i] * frame.spacing;
+    frame.state.contactFraction += frame.pressure[i] > 0 ? 1 / n : 0;
     square += line.height[i] * line.height[i] / n;
     slopeSquare += line.slope[i] * line.slope[i] / n;
   }
-  frame.tangentialForce = std::abs(frame.tangentialForce);
+  frame.state.tangentialForce = std::abs(frame.state.tangentialForce);
   frame.rmsHeight = std::sqrt(square);
   frame.rmsSlope = std::sqrt(slopeSquare);
-  frame.muSteady =
-      frame.normalForce > 0 ? frame.tangentialForce / frame.normalForce : kNotApplicable;
+  frame.state.mu = frame.state.normalForce > 0
+                       ? frame.state.tangentialForce / frame.state.normalForce
+                       : kNotApplicable;
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ std::shared_ptr<const Frame> sampleFrame(const SampleOptions& o) {
   frame->timeScale = o.timeScale;
   frame->distance = o.distance;
   frame->time = o.velocity != 0 ? std::abs(o.distance / o.velocity) : 0;
-  frame->indentation = o.depth;
+  frame->state.indentation = o.depth;
   const SampleLine z = line(o);
   const double lowest = *std::min_element(z.height.begin(), z.height.end());
   for (const double height : z.height) frame->lineHeight.push_back(height - lowest - o.depth);

@@ -105,7 +105,7 @@ QString errorsInWords() {
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   const double velocity = frame.scene->sliding.velocity;
   CurveReading reading;
-  if (frame.contactFraction >= 1)
+  if (frame.state.contactFraction >= 1)
     reading.regime = CurveReadingText::tr("complete contact");
   else if (velocity == 0 && !frame.transient)
     reading.regime = CurveReadingText::tr("at rest");

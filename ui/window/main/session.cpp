@@ -24,7 +24,7 @@ bool haveSameMark(const Frame* before, const Frame& now) {
          before->scene->sliding.velocity == now.scene->sliding.velocity &&
          before->scene->sweep.key == now.scene->sweep.key &&
          ownSweptValue(*before->scene) == ownSweptValue(*now.scene) &&
-         sameOrBothMissing(before->muSteady, now.muSteady);
+         sameOrBothMissing(before->state.mu, now.state.mu);
 }
 
 /// Returns whether a frame is the one of this moment of its motion, s. A motion advances in steps,
@@ -44,12 +44,12 @@ bool areFinite(const Values& values) {
 }  // namespace
 
 Message frameError(const Frame& frame) {
-  const bool isFinite = areFinite(std::array{frame.length, frame.indentation, frame.normalForce,
-                                             frame.contactFraction}) &&
-                        areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) &&
-                        areFinite(frame.pressure);
+  const bool isFinite =
+      areFinite(std::array{frame.length, frame.state.indentation, frame.state.normalForce,
+                           frame.state.contactFraction}) &&
+      areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) && areFinite(frame.pressure);
   if (!isFinite) return "The numbers of this scene exceed the range of a computer's numbers.";
-  if (!std::isfinite(frame.muSteady) && !frame.transient)
+  if (!std::isfinite(frame.state.mu) && !frame.transient)
     return "No steady sliding was found at this load and velocity.";
   return {};
 }

@@ -81,7 +81,8 @@ double orMissing(double value) {
 
 /// Returns the friction of the steady state, or of a motion at this moment.
 double presentFriction(const Frame& frame) {
-  return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
+  return frame.transient ? orMissing(frame.state.tangentialForce / frame.state.normalForce)
+                         : frame.state.mu;
 }
 
 /// Returns ", mean of 32 ≈ 0.001200 ± 0.4 %", of which the mean ends at the first digit of

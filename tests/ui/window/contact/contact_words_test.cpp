@@ -37,8 +37,8 @@ TEST_F(ContactWordsTest, AKeySaysThePresentNumbers) {
   const QString text = words()->text();
   for (const std::string& part :
        {printedQuantity(frame()->scene->sliding.velocity, "m/s"),
-        printedQuantity(frame()->normalForce, "N"),
-        printedNumber(frame()->muSteady, 3, Zeros::Keep), std::string("The mean of 3 lines")})
+        printedQuantity(frame()->state.normalForce, "N"),
+        printedNumber(frame()->state.mu, 3, Zeros::Keep), std::string("The mean of 3 lines")})
     EXPECT_TRUE(text.contains(QString::fromStdString(part))) << part << "\n" << text.toStdString();
   const QStringList lines = text.split('\n');
   EXPECT_GE(lines.size(), 4);

@@ -615,11 +615,11 @@ TEST_F(TimeInTheWindow, AMarkerThatLeavesTheAxesIsShownAtOnce) {
   ASSERT_TRUE(waitForRest());
   for (const double factor : {1e3, 1e6, 1e9}) {
     Frame higher = *frame();
-    higher.muSteady *= factor;
+    higher.state.mu *= factor;
     session().show(std::make_shared<const Frame>(higher));
     ASSERT_TRUE(chart().marker);
-    EXPECT_EQ(chart().marker->y, higher.muSteady);
-    EXPECT_GT(chart().y.to, higher.muSteady);
+    EXPECT_EQ(chart().marker->y, higher.state.mu);
+    EXPECT_GT(chart().y.to, higher.state.mu);
   }
 }
 

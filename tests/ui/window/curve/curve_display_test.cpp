@@ -109,7 +109,7 @@ TEST_F(CurveDisplayTest, TheMarkerFollowsTheQuantityAtOnce) {
     return marker ? marker->y : kNotApplicable;
   };
   EXPECT_DOUBLE_EQ(show(CurveQuantity::NormalizedMu), before->y / frame()->rmsSlope);
-  EXPECT_DOUBLE_EQ(show(CurveQuantity::ContactFraction), frame()->contactFraction);
+  EXPECT_DOUBLE_EQ(show(CurveQuantity::ContactFraction), frame()->state.contactFraction);
   EXPECT_DOUBLE_EQ(show(CurveQuantity::Mu), before->y);
 }
 

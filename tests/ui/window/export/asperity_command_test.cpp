@@ -312,7 +312,7 @@ TEST_F(CallTest, DrawsTheMomentOfAMotion) {
     for (const char* option : {"--at", "--probe", "--magnify"})
       EXPECT_TRUE(words.contains(option)) << words.join(' ').toStdString();
     EXPECT_EQ(differing(shown(), drawn(words)), 0) << words.join(' ').toStdString();
-    EXPECT_EQ(said_["mu"].toDouble(), frame()->muMarch);
+    EXPECT_EQ(said_["mu"].toDouble(), frame()->state.mu);
     // No more digits than tell the moment from the next step.
     const QString at = words.value(words.indexOf("--at") + 1);
     EXPECT_GE(at.toDouble(), frame()->time);

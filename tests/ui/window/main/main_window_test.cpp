@@ -342,9 +342,9 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
 TEST(Trouble, IsSaidOfFramesThatCannotBeBelieved) {
   Frame frame;
   frame.length = 1;
-  frame.muSteady = 0;
+  frame.state.mu = 0;
   EXPECT_TRUE(frameError(frame).empty());
-  frame.muSteady = kNotApplicable;
+  frame.state.mu = kNotApplicable;
   EXPECT_THAT(frameError(frame).text, testing::HasSubstr("steady"));
   frame.surfaceHeight = {0, kNotApplicable};
   EXPECT_THAT(frameError(frame).text, testing::HasSubstr("numbers"));
@@ -448,7 +448,7 @@ TEST_F(MainWindowTest, FactsComeFromTheFrame) {
   EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("velocity v̄ = ")));
   EXPECT_TRUE(control<QLabel>("factVelocity").toolTip().contains("Eq. (13)"));
   EXPECT_TRUE(fact("factMu").startsWith(
-      QStringLiteral("this line μ = %1").arg(QString::number(frame()->muSteady, 'g', 3))));
+      QStringLiteral("this line μ = %1").arg(QString::number(frame()->state.mu, 'g', 3))));
   ASSERT_TRUE(waitFor([&] { return fact("factBackend") == "software"; }));
 }
 

@@ -33,7 +33,7 @@ Frame frameAt(double velocity, double contactFraction = 0.1) {
   scene.sliding.velocity = velocity;
   Frame frame;
   frame.scene = std::make_shared<const Scene>(scene);
-  frame.contactFraction = contactFraction;
+  frame.state.contactFraction = contactFraction;
   return frame;
 }
 
@@ -302,8 +302,8 @@ TEST(StatusLine, NothingMovesWhileAMotionPlays) {
     for (int i = 0; i < 60; ++i) {
       const double velocity = (i < 30 ? 1 : -1) * std::pow(10, -8 + 0.3 * (i % 30));
       Frame frame = movingFrame(velocity);
-      frame.normalForce = 0.02;
-      frame.tangentialForce = 0.001 * velocity * frame.normalForce;
+      frame.state.normalForce = 0.02;
+      frame.state.tangentialForce = 0.001 * velocity * frame.state.normalForce;
       CurveReading reading;
       if (i % 3 == 0) reading.notes.add(Note::FasterThanTested);
       line.showFrame(frame, reading);
@@ -407,8 +407,8 @@ TEST(StatusLine, TheFrictionOfOneLineIsToldFromTheMeanOfAll) {
   StatusLine line;
   const auto text = [&] { return line.findChild<QLabel*>("factMu")->text().toStdString(); };
   Frame frame = movingFrame(1);
-  frame.tangentialForce = 0.25;
-  frame.normalForce = 1;
+  frame.state.tangentialForce = 0.25;
+  frame.state.normalForce = 1;
   CurveReading reading;
   reading.mu = 0.3;
   reading.error = 0.003;
@@ -555,8 +555,8 @@ TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {
 /// A mean of many lines is a long text, and a message beside it may be longer than its room.
 TEST(StatusLine, TheMeanIsWholeAndApartFromWhatFollows) {
   Frame frame = movingFrame(1);
-  frame.tangentialForce = 1.5e-4;
-  frame.normalForce = 1;
+  frame.state.tangentialForce = 1.5e-4;
+  frame.state.normalForce = 1;
   CurveReading reading;
   reading.mu = 0.00012345;
   reading.error = 1e-8;
@@ -594,7 +594,7 @@ TEST(StatusLine, ASettlingPictureIsNamed) {
   line.show();
   Frame frame = movingFrame(1);
   frame.transient.reset();
-  frame.muSteady = 0.25;
+  frame.state.mu = 0.25;
   const auto& mu = *line.findChild<QLabel*>("factMu");
   const auto& word = *line.findChild<QLabel*>("factSettling");
   for (const int width : {300, 1280})

@@ -204,10 +204,10 @@ TEST_F(TourTest, TheScenesShowWhatTheTourSays) {
     if (velocity >= 0) scene.sliding.velocity = velocity;
     window_.document().open(scene);
     EXPECT_TRUE(waitForFrame());
-    return frame()->muSteady;
+    return frame()->state.mu;
   };
   EXPECT_EQ(mu("pressed", -1), 0);
-  EXPECT_LT(frame()->contactFraction, 0.1);
+  EXPECT_LT(frame()->state.contactFraction, 0.1);
   const double slow = mu("region_1", 0.003);
   EXPECT_NEAR(mu("region_1", 0.006) / slow, 2, 0.1);
   EXPECT_NEAR(mu("region_3", 2) / mu("region_3", 1), 1, 0.1);
@@ -215,7 +215,7 @@ TEST_F(TourTest, TheScenesShowWhatTheTourSays) {
   EXPECT_LT(mu("one_sided", 0.001), 0.05 * summit);
   EXPECT_LT(mu("region_4", -1), 0.8 * mu("region_4", 3));
   EXPECT_GE(mu("full_contact", -1), 0);
-  EXPECT_EQ(frame()->contactFraction, 1);
+  EXPECT_EQ(frame()->state.contactFraction, 1);
 }
 
 }  // namespace
