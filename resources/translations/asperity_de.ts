@@ -1050,7 +1050,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::DiagramView</name>
+    <name>asperity::DiagramFiles</name>
     <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
@@ -3279,10 +3279,6 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>The picture is on the clipboard</source>
-        <translation>Das Bild ist in der Zwischenablage</translation>
-    </message>
-    <message>
         <source>Fine step</source>
         <translation>Feiner Schritt</translation>
     </message>
@@ -3612,14 +3608,6 @@
     <message>
         <source>loop of friction over velocity</source>
         <translation>Schleife der Reibung über der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Save picture or data…</source>
-        <translation>Bild oder Daten speichern…</translation>
     </message>
     <message>
         <source>in contact %1 %</source>

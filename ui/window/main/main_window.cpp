@@ -442,16 +442,9 @@ void MainWindow::connectCurve() {
   const auto succeeds = [this](MessageBar::Failure source) {
     return [this, source] { messages_->end(source); };
   };
-  const auto showSaved = [this](const QString& file, const QString& copied) {
-    status_->showMessage(file.isEmpty() ? copied : tr("Saved %1").arg(QFileInfo(file).fileName()));
-  };
-  connect(documents_, &DocumentCommands::saved, this,
-          [showSaved](const QString& file) { showSaved(file, {}); });
-  connect(tabs_, &SceneTabs::saved, this, [this, showSaved](const QString& file) {
-    messages_->end(MessageBar::Failure::Export);
-    showSaved(file, tr("The picture is on the clipboard"));
+  connect(documents_, &DocumentCommands::saved, this, [this](const QString& file) {
+    status_->showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
   });
-  connect(tabs_, &SceneTabs::failed, this, fails(MessageBar::Failure::Export));
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
     const bool isVelocity = scene.sweep.isOfVelocity();
