@@ -316,7 +316,6 @@ void ExportDialog::previewFailed(const QString& reason, const NeededHeight& need
 void ExportDialog::refuse(const QString& reason) {
   showFailure(reason);
   preview_->showPicture({}, tr("No preview."));
-  emit previewed(false);
 }
 
 void ExportDialog::takePreview() {
@@ -335,7 +334,6 @@ void ExportDialog::takePreview() {
     preview_->showPicture(QImage(previewFile_), previewNote_);
   }
   made.remove();
-  emit previewed(true);
 }
 
 // ---- Writing
