@@ -4649,26 +4649,6 @@
         <translation>Was den Kontakt zeichnet: das Programm selbst (Software) oder die Grafikkarte (OpenGL)</translation>
     </message>
     <message>
-        <source>making the line</source>
-        <translation>die Linie entsteht</translation>
-    </message>
-    <message>
-        <source>progress of the curve</source>
-        <translation>Fortschritt der Kurve</translation>
-    </message>
-    <message>
-        <source>Making the line… Back to the previous scene</source>
-        <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
-    </message>
-    <message>
-        <source>The curve is not complete: average it again</source>
-        <translation>Die Kurve ist nicht vollständig: erneut mitteln</translation>
-    </message>
-    <message>
-        <source>Stop averaging the curve</source>
-        <translation>Mittelung der Kurve anhalten</translation>
-    </message>
-    <message>
         <source>%1 simulations/s</source>
         <translation>%1 Simulationen/s</translation>
     </message>
@@ -5659,6 +5639,29 @@
     <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::WorkIndicator</name>
+    <message>
+        <source>making the line</source>
+        <translation>die Linie entsteht</translation>
+    </message>
+    <message>
+        <source>progress of the curve</source>
+        <translation>Fortschritt der Kurve</translation>
+    </message>
+    <message>
+        <source>Making the line… Back to the previous scene</source>
+        <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
+    </message>
+    <message>
+        <source>The curve is not complete: average it again</source>
+        <translation>Die Kurve ist nicht vollständig: erneut mitteln</translation>
+    </message>
+    <message>
+        <source>Stop averaging the curve</source>
+        <translation>Mittelung der Kurve anhalten</translation>
     </message>
 </context>
 </TS>
