@@ -1050,7 +1050,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::DiagramView</name>
+    <name>asperity::DiagramFiles</name>
     <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
@@ -1309,18 +1309,6 @@
         <translation>keiner</translation>
     </message>
     <message>
-        <source>&amp;Resolution (dpi)</source>
-        <translation>A&amp;uflösung (dpi)</translation>
-    </message>
-    <message>
-        <source>A picture on paper becomes higher where several panels need more room for their letters.</source>
-        <translation>Ein Bild auf Papier wird höher, wenn mehrere Diagramme mehr Platz für ihre Beschriftung brauchen.</translation>
-    </message>
-    <message>
-        <source>Pixels per inch. More of them make texts and lines of a picture in pixels larger, and a picture on paper finer.</source>
-        <translation>Pixel je Zoll. Mehr davon machen Texte und Linien eines Bildes in Pixeln größer und ein Bild auf Papier feiner.</translation>
-    </message>
-    <message>
         <source>&amp;Theme</source>
         <translation>&amp;Farben</translation>
     </message>
@@ -1393,26 +1381,6 @@
         <translation>alle</translation>
     </message>
     <message>
-        <source>S&amp;ize</source>
-        <translation>&amp;Größe</translation>
-    </message>
-    <message>
-        <source>width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>unit of width and height</source>
-        <translation>Einheit von Breite und Höhe</translation>
-    </message>
-    <message>
-        <source>pixels</source>
-        <translation>Pixel</translation>
-    </message>
-    <message>
         <source>Friction curve</source>
         <translation>Reibungskurve</translation>
     </message>
@@ -1459,42 +1427,6 @@
     <message>
         <source>WebP, animated</source>
         <translation>WebP, bewegt</translation>
-    </message>
-    <message>
-        <source>Usual size</source>
-        <translation>Übliche Größe</translation>
-    </message>
-    <message>
-        <source>As in the window</source>
-        <translation>Wie im Fenster</translation>
-    </message>
-    <message>
-        <source>As the style says</source>
-        <translation>Wie der Stil es sagt</translation>
-    </message>
-    <message>
-        <source>Slide, 1280 × 720</source>
-        <translation>Folie, 1280 × 720</translation>
-    </message>
-    <message>
-        <source>Full HD, 1920 × 1080</source>
-        <translation>Full HD, 1920 × 1080</translation>
-    </message>
-    <message>
-        <source>4K, 3840 × 2160</source>
-        <translation>4K, 3840 × 2160</translation>
-    </message>
-    <message>
-        <source>Column of a journal, 86 × 62 mm</source>
-        <translation>Spalte einer Zeitschrift, 86 × 62 mm</translation>
-    </message>
-    <message>
-        <source>Page of a journal, 178 × 130 mm</source>
-        <translation>Seite einer Zeitschrift, 178 × 130 mm</translation>
-    </message>
-    <message>
-        <source>Own size</source>
-        <translation>Eigene Größe</translation>
     </message>
     <message>
         <source>Fra&amp;mes per s</source>
@@ -1553,6 +1485,81 @@
         <translation>Ausschnitt und Zeitpunkt &amp;wie im Fenster</translation>
     </message>
     <message>
+        <source>%1: “%2” is not a number above 0.</source>
+        <translation>%1: „%2“ ist keine Zahl über 0.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ExportSizeFields</name>
+    <message>
+        <source>Slide, 1280 × 720</source>
+        <translation>Folie, 1280 × 720</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>Full HD, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Column of a journal, 86 × 62 mm</source>
+        <translation>Spalte einer Zeitschrift, 86 × 62 mm</translation>
+    </message>
+    <message>
+        <source>Page of a journal, 178 × 130 mm</source>
+        <translation>Seite einer Zeitschrift, 178 × 130 mm</translation>
+    </message>
+    <message>
+        <source>S&amp;ize</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution (dpi)</source>
+        <translation>A&amp;uflösung (dpi)</translation>
+    </message>
+    <message>
+        <source>Pixels per inch. More of them make texts and lines of a picture in pixels larger, and a picture on paper finer.</source>
+        <translation>Pixel je Zoll. Mehr davon machen Texte und Linien eines Bildes in Pixeln größer und ein Bild auf Papier feiner.</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>unit of width and height</source>
+        <translation>Einheit von Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>A picture on paper becomes higher where several panels need more room for their letters.</source>
+        <translation>Ein Bild auf Papier wird höher, wenn mehrere Diagramme mehr Platz für ihre Beschriftung brauchen.</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Usual size</source>
+        <translation>Übliche Größe</translation>
+    </message>
+    <message>
+        <source>As the style says</source>
+        <translation>Wie der Stil es sagt</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Eigene Größe</translation>
+    </message>
+    <message>
         <source>Width, height and resolution are numbers above 0.</source>
         <translation>Breite, Höhe und Auflösung sind Zahlen über 0.</translation>
     </message>
@@ -1561,16 +1568,12 @@
         <translation>Das Bild hat eine %1 von %2 Pixeln; erlaubt sind %3 bis %4.</translation>
     </message>
     <message>
-        <source>%1: “%2” is not a number above 0.</source>
-        <translation>%1: „%2“ ist keine Zahl über 0.</translation>
+        <source>The picture is too small for its diagrams; %1 × %2 %3 are enough.</source>
+        <translation>Das Bild ist zu klein für seine Diagramme; %1 × %2 %3 genügen.</translation>
     </message>
     <message>
         <source>The picture is too small for its diagrams; make it higher or wider.</source>
         <translation>Das Bild ist zu klein für seine Diagramme; machen Sie es höher oder breiter.</translation>
-    </message>
-    <message>
-        <source>The picture is too small for its diagrams; %1 × %2 %3 are enough.</source>
-        <translation>Das Bild ist zu klein für seine Diagramme; %1 × %2 %3 genügen.</translation>
     </message>
 </context>
 <context>
@@ -3279,10 +3282,6 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>The picture is on the clipboard</source>
-        <translation>Das Bild ist in der Zwischenablage</translation>
-    </message>
-    <message>
         <source>Fine step</source>
         <translation>Feiner Schritt</translation>
     </message>
@@ -3612,14 +3611,6 @@
     <message>
         <source>loop of friction over velocity</source>
         <translation>Schleife der Reibung über der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Save picture or data…</source>
-        <translation>Bild oder Daten speichern…</translation>
     </message>
     <message>
         <source>in contact %1 %</source>
@@ -4661,26 +4652,6 @@
         <translation>Was den Kontakt zeichnet: das Programm selbst (Software) oder die Grafikkarte (OpenGL)</translation>
     </message>
     <message>
-        <source>making the line</source>
-        <translation>die Linie entsteht</translation>
-    </message>
-    <message>
-        <source>progress of the curve</source>
-        <translation>Fortschritt der Kurve</translation>
-    </message>
-    <message>
-        <source>Making the line… Back to the previous scene</source>
-        <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
-    </message>
-    <message>
-        <source>The curve is not complete: average it again</source>
-        <translation>Die Kurve ist nicht vollständig: erneut mitteln</translation>
-    </message>
-    <message>
-        <source>Stop averaging the curve</source>
-        <translation>Mittelung der Kurve anhalten</translation>
-    </message>
-    <message>
         <source>%1 simulations/s</source>
         <translation>%1 Simulationen/s</translation>
     </message>
@@ -5671,6 +5642,29 @@
     <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::WorkIndicator</name>
+    <message>
+        <source>making the line</source>
+        <translation>die Linie entsteht</translation>
+    </message>
+    <message>
+        <source>progress of the curve</source>
+        <translation>Fortschritt der Kurve</translation>
+    </message>
+    <message>
+        <source>Making the line… Back to the previous scene</source>
+        <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
+    </message>
+    <message>
+        <source>The curve is not complete: average it again</source>
+        <translation>Die Kurve ist nicht vollständig: erneut mitteln</translation>
+    </message>
+    <message>
+        <source>Stop averaging the curve</source>
+        <translation>Mittelung der Kurve anhalten</translation>
     </message>
 </context>
 </TS>

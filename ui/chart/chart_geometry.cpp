@@ -139,6 +139,15 @@ ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const Diagram
   return target;
 }
 
+const DiagramSeries& targetSeries(const DiagramSheet& sheet, const ChartTarget& target) {
+  return sheet.diagrams[static_cast<std::size_t>(target.diagram)]
+      .series[static_cast<std::size_t>(target.series)];
+}
+
+const DiagramPoint& targetPoint(const DiagramSheet& sheet, const ChartTarget& target) {
+  return targetSeries(sheet, target).points[static_cast<std::size_t>(target.point)];
+}
+
 ZoomAxes axesAt(const ChartGeometry& geometry, QPointF position) {
   const QRectF& area = geometry.area;
   const bool isWithinX = position.x() >= area.left() && position.x() <= area.right();

@@ -88,6 +88,10 @@ inline constexpr double kMarkerReach = 6, kPointReach = 9;
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
                      QPointF position);
 
+/// These functions return the series, and the point in it, that is the target in this sheet.
+const DiagramSeries& targetSeries(const DiagramSheet& sheet, const ChartTarget& target);
+const DiagramPoint& targetPoint(const DiagramSheet& sheet, const ChartTarget& target);
+
 /// The axes that a zoom changes.
 struct ZoomAxes {
   bool x = false, y = false;

@@ -21,6 +21,7 @@
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
 #include "ui/chart/chart_panel.h"
+#include "ui/chart/chart_reading.h"
 #include "ui/chart/diagram_axes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -35,15 +36,6 @@ constexpr double kWheel = 1.25;        // factor of one step of the wheel
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyStep = 0.05;  // decades per key press
 constexpr double kFinely = 0.1;    // factor of a drag or key step with Shift
-
-const DiagramSeries& targetSeries(const DiagramSheet& sheet, const ChartTarget& target) {
-  return sheet.diagrams[static_cast<std::size_t>(target.diagram)]
-      .series[static_cast<std::size_t>(target.series)];
-}
-
-const DiagramPoint& targetPoint(const DiagramSheet& sheet, const ChartTarget& target) {
-  return targetSeries(sheet, target).points[static_cast<std::size_t>(target.point)];
-}
 
 }  // namespace
 
@@ -301,10 +293,14 @@ void ChartView::updateMarker() {
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
   const QPointF position = event->position() - corner();
-  pressed_ = targetAt(layout_.frames, sheet_, position);
+  const ChartTarget target = targetAt(layout_.frames, sheet_, position);
+  pressesMarker_ = target.isMarker;
+  pressedPoint_.reset();
+  if (target.isPoint() && target.diagram == 0)
+    pressedPoint_ = {targetSeries(sheet_, target).id, targetPoint(sheet_, target).row};
   pressedAt_ = panAt_ = position;
   gesture_ = Gesture::Press;
-  if (!pressed_.isMarker) return;
+  if (!pressesMarker_) return;
   grippedX_ = layout_.frames[0].mapX(sheet_.diagrams[0].marker->x);
   gripMarker(position, event->modifiers() & Qt::ShiftModifier);
 }
@@ -316,10 +312,10 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
   const bool isFar =
       (position - pressedAt_).manhattanLength() >= QApplication::startDragDistance() / 2.0;
   if (gesture_ == Gesture::Press && isFar) {
-    gesture_ = pressed_.isMarker ? Gesture::Marker : Gesture::Pan;
-    if (pressed_.isMarker && !zoom_) held_ = whole().x;
+    gesture_ = pressesMarker_ ? Gesture::Marker : Gesture::Pan;
+    if (pressesMarker_ && !zoom_) held_ = whole().x;
     tip_->clear();
-    setCursor(pressed_.isMarker ? Qt::SizeHorCursor : Qt::ClosedHandCursor);
+    setCursor(pressesMarker_ ? Qt::SizeHorCursor : Qt::ClosedHandCursor);
   }
   if (gesture_ == Gesture::Marker) dragMarker(position, event->modifiers() & Qt::ShiftModifier);
   if (gesture_ == Gesture::Pan) {
@@ -343,8 +339,8 @@ void ChartView::pan(QPointF by) {
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mouseReleaseEvent(event);
   const Gesture ended = std::exchange(gesture_, Gesture::None);
-  if (ended == Gesture::Press && pressed_.isPoint() && pressed_.diagram == 0)
-    emit pointChosen(targetSeries(sheet_, pressed_).id, targetPoint(sheet_, pressed_).row);
+  if (ended == Gesture::Press && pressedPoint_)
+    emit pointChosen(pressedPoint_->first, pressedPoint_->second);
   if (std::exchange(held_, std::nullopt)) showAll();
   read(event->position() - corner());
 }
@@ -421,79 +417,27 @@ void ChartView::setZoom(const std::optional<VisibleRange>& requested) {
 /// Shows a reading of the object under the pointer, and the matching shape of the pointer.
 void ChartView::read(QPointF position) {
   const ChartTarget target = targetAt(layout_.frames, sheet_, position);
-  const auto explanation = explanationAt(target, position);
+  ReadableChart chart{english_, sheet_, layout_.frames};
+  if (!panels_.empty()) {
+    chart.shadeNames = panels_.front()->namesInside();
+    chart.cutTitle = panels_.back()->elidedTitle();
+  }
+  const auto explanation = explanationAt(chart, target, position);
   anchor_ = explanation ? anchorText(*explanation) : QString();
   if (target.isMarker)
     setCursor(Qt::SizeHorCursor);
   else
     setCursor(target.isPoint() && target.diagram == 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
   // A number keeps its sign where a sentence is broken.
-  const QString text =
-      tipText(target, position).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
+  const QString text = tipText(chart, target, position, describe_)
+                           .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
   if (text.isEmpty()) return tip_->clear();
   QPointF at = position;
   if (target.isPoint()) {
     const DiagramPoint& point = targetPoint(sheet_, target);
     at = layout_.frames[static_cast<std::size_t>(target.diagram)].at(point.x, point.y);
   }
-  tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_, neighbours(target));
-}
-
-/// Returns what the pointer may go to from this object: the other points of its diagram, or the row
-/// of the names of regions.
-QList<QRectF> ChartView::neighbours(const ChartTarget& target) const {
-  QList<QRectF> found;
-  if (target.isPoint()) {
-    const auto index = static_cast<std::size_t>(target.diagram);
-    const ChartGeometry& map = layout_.frames[index];
-    const double reach = kPointReach * map.scale;
-    const DiagramPoint& own = targetPoint(sheet_, target);
-    for (const DiagramSeries& series : sheet_.diagrams[index].series)
-      if (series.id != -1 && series.mark != SeriesMark::None)
-        for (const DiagramPoint& point : series.points)
-          if (const QPointF at = map.at(point.x, point.y); &point != &own && isFinite(at))
-            found += QRectF(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach);
-  } else if (target.span >= 0) {
-    const ChartGeometry& map = layout_.frames[0];
-    found += QRectF(map.area.left(), map.area.top() - map.names, map.area.width(), map.names);
-  }
-  return found;
-}
-
-/// Returns the explanation of the region, the shade or the curve at a position.
-std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& target,
-                                                         QPointF position) const {
-  if (layout_.frames.empty()) return std::nullopt;
-  if (target.isPoint()) return findExplanation(targetSeries(english_, target).name);
-  const Diagram& diagram = english_.diagrams[0];
-  if (target.span >= 0)
-    return findExplanation(std::string_view(
-        "region " + diagram.spans[static_cast<std::size_t>(target.span)].shortLabel));
-  if (target.isMarker || panels_.empty()) return std::nullopt;
-  for (const QRectF& name : panels_[0]->namesInside())
-    if (name.contains(position) && !diagram.shades.empty())
-      return findExplanation(diagram.shades.front().label);
-  return std::nullopt;
-}
-
-QString ChartView::tipText(const ChartTarget& target, QPointF position) const {
-  if (layout_.frames.empty()) return {};
-  if (target.isPoint())
-    return describe_ ? describe_(targetSeries(sheet_, target).id, targetPoint(sheet_, target).row)
-                     : QString();
-  if (target.span >= 0) {
-    const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
-    QStringList lines{QString::fromStdString(span.label.text)};
-    const auto explanation = explanationAt(target, position);
-    if (explanation && !explanation->formula.empty()) lines += formulaText(explanation->formula);
-    for (const Message& note : span.notes) lines += QString::fromStdString(note.text);
-    return lines.join('\n');
-  }
-  if (const auto explanation = explanationAt(target, position))
-    return translatedText(Message(explanation->sentence)) + '\n' +
-           formulaText(explanation->formula);
-  return position.y() > layout_.frames.back().area.bottom() ? panels_.back()->elidedTitle()
-                                                            : QString();
+  tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_, neighbours(chart, target));
 }
 
 void ChartView::gripMarker(QPointF position, bool finely) {
@@ -504,6 +448,7 @@ void ChartView::gripMarker(QPointF position, bool finely) {
 /// Moves the marker. With `finely` it moves by a part of the pointer's distance, from its present
 /// position.
 void ChartView::dragMarker(QPointF position, bool finely) {
+  if (layout_.frames.empty()) return;
   const ChartGeometry map = layout_.frames[0];
   if (finely != gripsFinely_) {
     if (std::isfinite(targetX_)) grippedX_ = map.mapX(targetX_);

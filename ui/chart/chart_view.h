@@ -10,16 +10,15 @@
 
 #include <QPointF>
 #include <QWidget>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/chart/diagram.h"
-#include "core/chart/explanations.h"
 #include "ui/chart/chart_geometry.h"
 #include "ui/chart/chart_layout.h"
+#include "ui/chart/chart_reading.h"
 #include "ui/chart/chart_style.h"
 #include "ui/chart/occupancy_grid.h"
 
@@ -70,9 +69,8 @@ class ChartView : public QWidget {
   /// Shows this range; none: everything, as fit().
   void setZoom(const std::optional<VisibleRange>& range);
 
-  /// Returns the reading of a point, given by its series' id and its row. May be empty.
-  using Describe = std::function<QString(int id, int row)>;
-  void setDescribe(Describe describe) { describe_ = std::move(describe); }
+  /// Sets what reads a point.
+  void setDescribe(DescribePoint describe) { describe_ = std::move(describe); }
 
   /// Replaces the titles of the axes by widgets in which the user chooses what the axes show: one
   /// below the horizontal axis, one above the vertical axis of the first diagram. The view owns
@@ -116,7 +114,6 @@ class ChartView : public QWidget {
  private:
   bool hasMarker() const;
   std::pair<double, double> markerPosition() const;
-  std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF position) const;
   VisibleRange whole() const;
   void showAll();
   void showFocus(bool shows);
@@ -126,8 +123,6 @@ class ChartView : public QWidget {
 
   void pan(QPointF by);
   void read(QPointF position);
-  QString tipText(const ChartTarget& target, QPointF position) const;
-  QList<QRectF> neighbours(const ChartTarget& target) const;
   void gripMarker(QPointF position, bool finely);
   void dragMarker(QPointF position, bool finely);
   void moveMarker(double x, bool finely);
@@ -135,7 +130,7 @@ class ChartView : public QWidget {
 
   DiagramSheet english_, sheet_;  // sheet_ has texts in the current language
   ChartStyle style_;
-  Describe describe_;
+  DescribePoint describe_;
   bool isDue_ = false;  // the screen shows an earlier sheet
   std::optional<VisibleRange> zoom_;
   QHBoxLayout *head_, *foot_;  // with the choosers
@@ -151,7 +146,10 @@ class ChartView : public QWidget {
 
   enum class Gesture { None, Press, Marker, Pan };
   Gesture gesture_ = Gesture::None;
-  ChartTarget pressed_;  // target under the pointer when the button was pressed
+  // Under the pointer when the button was pressed: the marker, or a point by its series' id and its
+  // row. Its place in the sheet may change before the button is released.
+  bool pressesMarker_ = false;
+  std::optional<std::pair<int, int>> pressedPoint_;
   QPointF pressedAt_, panAt_;
   std::optional<QPointF> hover_;  // position of the pointer over the chart
   QPointF gripAt_;                // position at which the pointer gripped the marker

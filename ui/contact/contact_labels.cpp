@@ -246,7 +246,7 @@ float labelRowBottom(const ContactLayout& layout) {
 }
 
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
-                std::vector<ContactSign>* signs) {
+                std::vector<ContactSign>& signs) {
   Notes notes = notesFor(frame, layout);
   DrawLayer layer, plates;
   TagPainter painter(list, plates, layer, layout);
@@ -259,7 +259,7 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
   else
     addRigidTagsBetweenCrests(painter, frame, layout, row);
   nameElastomer(painter, frame, layout, notes);
-  if (signs) *signs = painter.signs();
+  signs = painter.signs();
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves
   list.layers.push_back(std::move(layer));
   return notes;

@@ -40,9 +40,9 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 float glowDepth(const ContactLayout& layout);
 
 /// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.
-/// Returns the texts for the footer. signs: receives the labels and arrows; may be null.
+/// Returns the texts for the footer. signs: receives the labels and arrows.
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
-                std::vector<ContactSign>* signs = nullptr);
+                std::vector<ContactSign>& signs);
 
 /// Returns the lower end of the row of labels at the top of the plot, a pixel row.
 float labelRowBottom(const ContactLayout& layout);

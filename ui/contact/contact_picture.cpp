@@ -138,7 +138,7 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& request
     prepared.layout.covered.push_back(readoutBox(frame, *options.probe, layout, taken));
   addBodies(list, frame, layout);
   std::vector<ContactSign> labels;
-  addAxes(list, layout, options.names ? addLabels(list, frame, layout, &labels) : Notes{});
+  addAxes(list, layout, options.names ? addLabels(list, frame, layout, labels) : Notes{});
   if (places) {
     places->clear();
     for (const ContactSign& label : labels) places->push_back({label.id, label.box.x});

@@ -77,7 +77,7 @@ struct Labels {
 Labels makeLabels(PreparedPicture& prepared, const Frame& frame) {
   prepared.list.layers.emplace_back();  // in place of the bodies
   Labels labels;
-  labels.notes = addLabels(prepared.list, frame, prepared.layout, &labels.signs);
+  labels.notes = addLabels(prepared.list, frame, prepared.layout, labels.signs);
   return labels;
 }
 

@@ -68,7 +68,6 @@ class PairRow {
   }
 
   void show(const PairEditor::Pair& pair, bool replace) {
-    if (replace) showError({}, nullptr);
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       UnitText text = inReadableUnit(pair[k], editor_.kind_.rules[k].unit);
       text.number = inLanguage(text.number);
@@ -77,6 +76,7 @@ class PairRow {
       else
         entries_[k]->showText(text.number, text.unit);
     }
+    showErrors();
   }
 
   void setRemovable(bool removable) { remove_->setEnabled(removable); }
@@ -111,8 +111,7 @@ class PairRow {
     QObject::connect(entry, &ValueEntry::unitShown, unit, &QLabel::setText);
     QObject::connect(entry, &ValueEntry::textCommitted, &editor_,
                      [this, k](const QString& text) { take(k, text); });
-    QObject::connect(entry, &ValueEntry::entryRestored, &editor_,
-                     [this, entry] { showError({}, entry); });
+    QObject::connect(entry, &ValueEntry::entryRestored, &editor_, [this] { showErrors(); });
     grid.addWidget(entry, line, static_cast<int>(1 + 2 * k));
     grid.addWidget(unit, line, static_cast<int>(2 + 2 * k));
   }
@@ -121,17 +120,21 @@ class PairRow {
     const NumberRule& rule = editor_.kind_.rules[k];
     const QString text = inShownUnit(withoutGroups(typed.trimmed()), entries_[k]->unit());
     const QString refusal = validationError(text, rule);
-    showError(refusal, entries_[k]);
+    entries_[k]->showError(refusal);
+    showErrors();
     if (!refusal.isEmpty()) return;
     PairEditor::Pair pair = editor_.pairs_[index_];
     pair[k] = toPlainNumber(text, rule).toDouble();
     editor_.change(index_, pair);
   }
 
-  void showError(const QString& reason, ValueEntry* entry) {
-    if (entry) entry->showError(reason);
-    error_->setText(reason);
-    error_->setVisible(!reason.isEmpty());
+  /// Shows below the row why values in it are refused.
+  void showErrors() {
+    QStringList reasons;
+    for (const ValueEntry* entry : entries_)
+      if (entry->hasError()) reasons += entry->errorText();
+    error_->setText(reasons.join('\n'));
+    error_->setVisible(!reasons.isEmpty());
   }
 
   PairEditor& editor_;

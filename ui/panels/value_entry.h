@@ -33,6 +33,8 @@ class ValueEntry : public QLineEdit {
   /// Shows a red frame and the reason; an empty reason removes both.
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
+  /// Returns why the text is refused; empty where it is not.
+  const QString& errorText() const { return reason_; }
 
   /// Returns the text as it is shown: without the focus, a number that does not fit is rounded, and
   /// another text is shortened with a sign at its hidden end.

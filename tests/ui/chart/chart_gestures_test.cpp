@@ -227,6 +227,21 @@ TEST_F(ChartGestures, AClickTakesThePointUnderIt) {
   EXPECT_EQ(moved.count(), 0);
 }
 
+/// Another curve may arrive while the button is down.
+TEST_F(ChartGestures, AClickTakesThePointThatWasPressed) {
+  const QSignalSpy chosen(view_.get(), &ChartView::pointChosen);
+  const QPoint place = at(10, 0.02);
+  QTest::mousePress(view_.get(), Qt::LeftButton, {}, place);
+  DiagramSheet sheet = gestureSheet();
+  sheet.diagrams[0].series.pop_back();
+  sheet.diagrams[0].series[0].points.resize(1);
+  view_->setSheet(sheet);
+  QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, place);
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), kPresentCurve);
+  EXPECT_EQ(chosen[0][1].toInt(), 13);
+}
+
 TEST_F(ChartGestures, APointUnderTheMarkerCanBeTakenToo) {
   DiagramSheet sheet = gestureSheet();
   Diagram& diagram = sheet.diagrams[0];

@@ -107,6 +107,20 @@ TEST_F(ArmsEditorTest, ARefusedValueSaysWhyInPlaceAndChangesNothing) {
   EXPECT_EQ(arms()[1].modulus, 4e6);
 }
 
+/// One of two refused values may be taken back before the other.
+TEST_F(ArmsEditorTest, EachRefusedValueOfARowKeepsItsReason) {
+  type("armModulus", 1, "-2 MPa");
+  type("armTime", 1, "5 kg");
+  EXPECT_TRUE(complaint(1).contains("-2 MPa is outside")) << complaint(1).toStdString();
+  EXPECT_TRUE(complaint(1).contains("5 kg is a mass")) << complaint(1).toStdString();
+  QTest::keyClick(&entry("armTime", 1), Qt::Key_Escape);
+  EXPECT_EQ(complaint(1), "-2 MPa is outside 0 to 1 PPa");
+  EXPECT_TRUE(isShown("armError:1"));
+  entry("armModulus", 1).setFocus();
+  QTest::keyClick(&entry("armModulus", 1), Qt::Key_Escape);
+  EXPECT_FALSE(isShown("armError:1"));
+}
+
 TEST_F(ArmsEditorTest, ArmsAreAddedAndRemovedByKeys) {
   auto& add = control<QToolButton>("armsAdd");
   add.setFocus();

@@ -15,7 +15,10 @@
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/readable_widgets.h"
 #include "ui/window/figures/figures_page.h"
+#include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/window_keys.h"
+#include "ui/window/map/map_panel.h"
+#include "ui/window/map/map_view.h"
 
 namespace asperity {
 namespace {
@@ -229,6 +232,21 @@ TEST_F(AccessibilityTest, TheControlWithTheFocusHasItsKeys) {
   window_.canvas().setFocus();
   key(Qt::Key_Space);
   EXPECT_NE(session().isPlaying(), isPlaying);
+}
+
+/// With Shift the arrow keys move the cross of the map in fine steps; they change the exaggeration
+/// of the contact where the contact has the focus.
+TEST_F(AccessibilityTest, TheMapWithTheFocusHasItsKeys) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  action("go:mapPanel").trigger();
+  MapView& map = window_.tabs().map().view();
+  ASSERT_TRUE(waitFor([&] { return map.focusPolicy() == Qt::StrongFocus && map.isPainted(); }));
+  map.setFocus();
+  const std::string before = window_.canvas().viewer().navigation().toText();
+  const QSignalSpy moves(&map, &MapView::crossMoved);
+  QTest::keyClick(window_.windowHandle(), Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_EQ(moves.count(), 1);
+  EXPECT_EQ(window_.canvas().viewer().navigation().toText(), before);
 }
 
 }  // namespace

@@ -21,7 +21,6 @@
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTabWidget>
@@ -429,20 +428,23 @@ class Visitor {
 
   // ---- Export
 
+  void waitForPreview(ExportDialog& dialog) {
+    const auto& note = in<QLabel>(dialog, "exportNote");
+    waitFor([&] { return note.text() != ExportDialog::tr("The preview is being made…"); },
+            "a preview");
+  }
   void exportOf(const QString& name, ExportKind kind,
                 const std::function<void(ExportDialog&)>& change = {}) {
     if (!isWanted(name)) return;
     window_.exports().setProgram(wishes_.program);
     ExportDialog& dialog = window_.exports().openDialog(kind);
-    QSignalSpy previews(&dialog, &ExportDialog::previewed);
     fitScreen(dialog);
     dialog.setFile(QDir(folder_.path()).filePath(QFileInfo(dialog.file()).fileName()));
     if (change) {
-      waitFor([&] { return !previews.isEmpty(); }, "a preview");
-      previews.clear();
+      waitForPreview(dialog);
       change(dialog);
     }
-    waitFor([&] { return !previews.isEmpty(); }, "a preview");
+    waitForPreview(dialog);
     show(name, dialog);
     close(dialog);
   }
@@ -490,10 +492,9 @@ class Visitor {
     }
     if (isWanted("export_writing")) {
       ExportDialog& dialog = window_.exports().openDialog(ExportKind::Film);
-      QSignalSpy previews(&dialog, &ExportDialog::previewed);
       fitScreen(dialog);
       set("exportFormat", "")(dialog);
-      waitFor([&] { return !previews.isEmpty(); }, "a preview");
+      waitForPreview(dialog);
       dialog.setFile(folder_.filePath("frames"));
       auto& duration = in<QLineEdit>(dialog, "exportDuration");
       duration.setFocus();

@@ -7,12 +7,14 @@
 #include <QAction>
 #include <QDragEnterEvent>
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
+#include <functional>
 
 #include "tests/core/small_scene.h"
 #include "ui/chart/chart_view.h"
@@ -27,6 +29,7 @@
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
 #include "ui/window/main/window_pages.h"
@@ -50,12 +53,21 @@ inline Scene refusedScene() {
   return scene;
 }
 
-/// Opens a file in a window; whether its scene is shown, once it was read.
-inline bool openIn(MainWindow& window, const QString& file) {
-  QSignalSpy reads(&window.documentCommands(), &DocumentCommands::sceneRead);
+/// Opens a file in a window. Returns whether its scene is shown, once it is, or once a message
+/// names the file or a question about it is answered.
+inline bool openIn(
+    MainWindow& window, const QString& file,
+    const std::function<bool()>& isAnswered = [] { return false; }) {
+  window.messages().hide();
+  const QSignalSpy opened(&window.document(), &SceneDocument::opening);
   window.documentCommands().openFile(file);
-  return QTest::qWaitFor([&] { return !reads.isEmpty(); }, kWindowPatience) &&
-         reads.takeFirst().at(1).toBool();
+  const auto isRefused = [&] {
+    return !window.messages().isHidden() &&
+           window.messages().text().contains(QFileInfo(file).fileName());
+  };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !opened.isEmpty() || isRefused() || isAnswered(); },
+                              kWindowPatience));
+  return !opened.isEmpty();
 }
 
 class MainWindowTest : public testing::Test {
@@ -84,8 +96,18 @@ class MainWindowTest : public testing::Test {
     QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window_, &drop);
   }
-  /// Whether the file's scene is shown, once it was read.
-  bool open(const QString& file) { return openIn(window_, file); }
+  bool open(const QString& file) {
+    return openIn(window_, file, [this, before = asked_] { return asked_ != before; });
+  }
+  /// Saves the contact as it is shown. Returns whether the status line says so, or a message why
+  /// not.
+  bool savePicture(const QString& file) {
+    window_.status().showMessage({});
+    window_.exports().savePicture(file);
+    const auto isSaved = [&] { return said() == "Saved " + QFileInfo(file).fileName(); };
+    EXPECT_TRUE(waitFor([&] { return isSaved() || window_.messages().text().contains(file); }));
+    return isSaved();
+  }
   bool waitForFrame() {
     return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
   }
@@ -140,6 +162,7 @@ class MainWindowTest : public testing::Test {
   int asked_ = 0;
 
   QString fact(const QString& name) { return control<QLabel>(name).text(); }
+  QString said() { return fact("statusMessage"); }
 
   MainWindow window_;
 

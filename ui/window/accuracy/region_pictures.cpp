@@ -68,10 +68,7 @@ void RegionPictures::showText(const QString& text) {
   sheet_.reset();
   bar_->hide();
   picture_->setToolTip({});
-  picture_->clear();
-  picture_->setPlaceholder(text);
-  picture_->setAccessibleName(text);
-  picture_->setAccessibleDescription({});
+  picture_->showText(text);
 }
 
 void RegionPictures::showSheet(DiagramSheet sheet) {
@@ -103,7 +100,6 @@ void RegionPictures::choose(int index) {
   chosen_ = name;
   range_->setText(range);
   buttons_->button(index)->setChecked(true);
-  picture_->setPlaceholder({});
   picture_->showPicture([one = singleDiagram(diagram)](const DiagramOptions& options) {
     return composeDiagrams(one, options);
   });

@@ -6,7 +6,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QNativeGestureEvent>
-#include <QPainter>
 #include <QPinchGesture>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -15,10 +14,10 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
 #include "ui/window/contact/contact_tips.h"
+#include "ui/window/contact/contact_veil.h"
 
 namespace asperity {
 
@@ -41,46 +40,15 @@ bool prefersOpenGl() {
   return support == OpenGlSupport::Hardware;
 }
 
-/// A text in the middle of a translucent area, on a plate, because lines shine through beside it.
-class Veil : public QLabel {
- public:
-  using QLabel::QLabel;
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    constexpr int kAir = 8;
-    const int flags = static_cast<int>(alignment()) | Qt::TextWordWrap;
-    constexpr float kOpacity = 0.7F;
-    QPainter painter(this);
-    const QColor ground = palette().color(QPalette::Window);
-    QColor shade = ground;
-    shade.setAlphaF(kOpacity);
-    painter.fillRect(rect(), shade);
-    const QRect place = rect().adjusted(2 * kAir, kAir, -2 * kAir, -kAir);
-    const QRect plate = painter.fontMetrics().boundingRect(place, flags, text());
-    painter.setPen(palette().color(QPalette::Mid));
-    painter.setBrush(ground);
-    painter.drawRect(plate.adjusted(-kAir, -kAir / 2, kAir, kAir / 2));
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(place, flags, text());
-  }
-};
-
 }  // namespace
 
 ContactCanvas::ContactCanvas(QWidget* parent)
-    : QWidget(parent),
-      layout_(marginless<QVBoxLayout>(this)),
-      veil_(named<Veil>("contactVeil", this)) {
+    : QWidget(parent), layout_(marginless<QVBoxLayout>(this)), veil_(new ContactVeil(*this)) {
   setMinimumSize(320, 160);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   grabGesture(Qt::PinchGesture);
-  veil_->setAlignment(Qt::AlignCenter);
-  veil_->setWordWrap(true);
-  veil_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  veil_->hide();
   clock_.start();
   if (prefersOpenGl())
     useOpenGl();
@@ -108,22 +76,12 @@ void ContactCanvas::giveLabelsSpace() {
 
 void ContactCanvas::setTheme(const Theme& theme) {
   theme_ = theme;
-  paintVeil();
+  veil_->setTheme(theme);
   refresh();
 }
 
 void ContactCanvas::setVeil(const QString& reason) {
-  veil_->setText(reason);
-  veil_->setVisible(!reason.isEmpty());
-}
-
-/// Gives the veil the colours of the picture.
-void ContactCanvas::paintVeil() {
-  QPalette palette;
-  palette.setColor(QPalette::Window, toQColor(theme_.background));
-  palette.setColor(QPalette::WindowText, toQColor(theme_.text));
-  palette.setColor(QPalette::Mid, toQColor(theme_.faintText));
-  veil_->setPalette(palette);
+  veil_->showReason(reason);
 }
 
 void ContactCanvas::resizeEvent(QResizeEvent* event) {
@@ -405,11 +363,9 @@ void ContactCanvas::continueDrag(const QPointF& position) {
   dragged_ = position;
   if (viewer_.pointer()) hideCrosshair();  // its readout would hide what moves
   const QPointF moved = position - grip_->from;
-  const double right = moved.x() / plot.width();
-  // The arrow of a line that slides to the left grows to the left.
-  const double ahead = grip_->scene.sliding.velocity < 0 ? -right : right;
-  const Scene after = asperity::dragged(grip_->scene, grip_->handle,
-                                        {ahead, moved.y() / plot.height(), grip_->height});
+  const Scene after =
+      asperity::dragged(grip_->scene, grip_->handle,
+                        {moved.x() / plot.width(), moved.y() / plot.height(), grip_->height});
   emit sceneEdited(after);
   QToolTip::showText(mapToGlobal(position.toPoint()) + QPoint(14, 10),
                      draggedText(grip_->handle, after), this);

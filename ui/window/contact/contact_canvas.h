@@ -25,12 +25,12 @@
 #include "ui/language/language.h"
 #include "ui/window/contact/canvas_backend.h"
 
-class QLabel;
 class QMenu;
 class QVBoxLayout;
 
 namespace asperity {
 
+class ContactVeil;
 struct ContactTip;
 
 class ContactCanvas : public QWidget {
@@ -121,7 +121,6 @@ class ContactCanvas : public QWidget {
   void takeReady(const std::shared_ptr<const Frame>& frame);
   void takePainted(const std::vector<LabelPlace>& labels);
   void refresh();
-  void paintVeil();
   void giveLabelsSpace();
   PictureRequest request() const;
 
@@ -143,7 +142,7 @@ class ContactCanvas : public QWidget {
 
   QVBoxLayout* layout_;
   CanvasBackend* backend_ = nullptr;  // a child widget
-  QLabel* veil_;                      // covers it
+  ContactVeil* veil_;                 // covers it
   ContactViewer viewer_;
   FrameFields requestedFields_;
   Theme theme_ = lightTheme();

@@ -1,6 +1,5 @@
 #include "ui/window/contact/motion_view.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -21,7 +20,7 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/tips.h"
-#include "ui/window/figures/diagram_view.h"
+#include "ui/window/figures/diagram_files.h"
 
 namespace asperity {
 
@@ -59,45 +58,32 @@ MotionView::MotionView(QWidget* parent)
     : QWidget(parent),
       strips_(named<ChartView>("motionStrips")),
       loop_(named<ChartView>("frictionLoop")),
-      stripFiles_(new DiagramView(this)),
-      loopFiles_(new DiagramView(this)) {
+      stripFiles_(new DiagramFiles(*strips_)),
+      loopFiles_(new DiagramFiles(*loop_)) {
   auto* row = marginless<QHBoxLayout>(this, 0);
   row->addWidget(strips_, 3);
   row->addWidget(loop_, 2);
   loop_->hide();
-  for (DiagramView* files : {stripFiles_, loopFiles_}) files->hide();
   for (ChartView* chart : {strips_, loop_}) {
     chart->setFocusPolicy(Qt::TabFocus);  // their menus; a click leaves the keys to the contact
     chart->setMouseTracking(true);
     chart->installEventFilter(this);
+    chart->setContextMenuPolicy(Qt::ActionsContextMenu);
   }
-  addMenu(*strips_, *stripFiles_);
-  addMenu(*loop_, *loopFiles_);
-  keepTranslated(*this, [this] { showTexts(); });
-}
-
-void MotionView::addMenu(ChartView& chart, DiagramView& files) {
-  auto* copy = named<QAction>("copyMotion", &chart);
-  auto* save = named<QAction>("saveMotion", &chart);
-  connect(copy, &QAction::triggered, &files, &DiagramView::copy);
-  connect(save, &QAction::triggered, &files, &DiagramView::saveAs);
-  chart.addActions({copy, save});
-  chart.setContextMenuPolicy(Qt::ActionsContextMenu);
-}
-
-void MotionView::showTexts() {
-  strips_->setAccessibleName(tr("velocity, friction, indentation and length per contact in time"));
-  loop_->setAccessibleName(tr("loop of friction over velocity"));
-  for (QWidget* chart : Widgets{strips_, loop_}) {
-    chart->findChild<QAction*>("copyMotion")->setText(tr("Copy picture"));
-    chart->findChild<QAction*>("saveMotion")->setText(tr("Save picture or data…"));
-  }
+  strips_->addActions(stripFiles_->actions());
+  loop_->addActions(loopFiles_->actions());
+  keepTranslated(*this, [this] {
+    strips_->setAccessibleName(
+        tr("velocity, friction, indentation and length per contact in time"));
+    loop_->setAccessibleName(tr("loop of friction over velocity"));
+  });
 }
 
 void MotionView::showScene(const Scene& scene) {
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   samples_.reset();
   later_.reset();
+  for (DiagramFiles* files : {stripFiles_, loopFiles_}) files->setDiagram({});
   loop_->setVisible(scene.sliding.kind == SlidingKind::Oscillation);
   if (!(duration_ > 0)) return;
   DiagramSheet strips = transientSheet(scene, {});
@@ -136,8 +122,8 @@ void MotionView::showFrame(const Frame& frame) {
   for (ChartView* chart : {strips_, loop_})
     if (chart->hasFocus() && !samples_->empty())
       chart->setAccessibleDescription(reading(samples_->back()));
-  stripFiles_->show(strips, {"motion", origin, table, {}});
-  loopFiles_->show(loop, {"friction_loop", origin, table, {}});
+  stripFiles_->setDiagram({"motion", origin, table, strips});
+  loopFiles_->setDiagram({"friction_loop", origin, table, loop});
 }
 
 std::optional<double> MotionView::momentAt(QPointF position) const {

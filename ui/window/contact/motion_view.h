@@ -17,7 +17,7 @@ class QKeyEvent;
 namespace asperity {
 
 class ChartView;
-class DiagramView;
+class DiagramFiles;
 
 class MotionView : public QWidget {
   Q_OBJECT
@@ -35,8 +35,8 @@ class MotionView : public QWidget {
   const TransientSample* sampleAt(const ChartView& chart, QPointF position) const;
 
   /// Returns what writes the strips or the loop: .png, .svg, .pdf, or .csv with all samples.
-  DiagramView& stripFiles() { return *stripFiles_; }
-  DiagramView& loopFiles() { return *loopFiles_; }
+  DiagramFiles& stripFiles() { return *stripFiles_; }
+  DiagramFiles& loopFiles() { return *loopFiles_; }
 
  signals:
   /// Emitted when a moment of the strips is clicked, s; it may be one that was not reached yet.
@@ -49,15 +49,13 @@ class MotionView : public QWidget {
 
  private:
   using Samples = std::shared_ptr<const std::vector<TransientSample>>;
-  void addMenu(ChartView& chart, DiagramView& files);
-  void showTexts();
   QString reading(const TransientSample& sample) const;
   bool step(const QKeyEvent& event);
   /// Returns the time at a position of the strips, s; nothing beside their frames.
   std::optional<double> momentAt(QPointF position) const;
 
   ChartView *strips_, *loop_;
-  DiagramView *stripFiles_, *loopFiles_;  // never shown: they write what the charts show
+  DiagramFiles *stripFiles_, *loopFiles_;
   Samples samples_, later_;         // up to the present moment, and those that are known after it
   double duration_ = 0;             // s
   std::optional<QPointF> pressed_;  // on the strips

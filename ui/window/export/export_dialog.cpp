@@ -23,6 +23,7 @@
 #include "ui/panels/labels.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
+#include "ui/window/export/export_size_fields.h"
 #include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
@@ -255,7 +256,7 @@ ExportRequest ExportDialog::previewOfFigure(ExportRequest request, QStringList& 
 /// Gives a picture the size of the preview, with smaller texts and lines. A size or a resolution
 /// that is not allowed is passed to the command, which reports the error.
 void ExportDialog::shrink(ExportRequest& request) const {
-  const QSizeF pixels = form_->pixels();
+  const QSizeF pixels = form_->size().pixels();
   if (pixels.isEmpty() || request.size.isEmpty()) return;
   const double large = std::max(pixels.width(), pixels.height());
   const double small = std::min(pixels.width(), pixels.height());
@@ -305,8 +306,10 @@ void ExportDialog::requestPreview() {
 
 /// Makes the usual size as high as its diagrams need, with a note; other refusals are shown.
 void ExportDialog::previewFailed(const QString& reason, const NeededHeight& needed) {
-  const std::optional<double> height = form_->heightEnough(needed);
-  if (!height || !form_->raiseHeight(*height)) return refuse(form_->inWords(reason, needed));
+  ExportSizeFields& size = form_->size();
+  const std::optional<double> height =
+      form_->isTyped("--size") ? std::nullopt : size.heightEnough(needed);
+  if (!height || !size.raiseHeight(*height)) return refuse(form_->inWords(reason, needed));
   raised_ = tr("The picture is %1 pixels high, because its diagrams need that.").arg(*height);
   showCommand();
   requestPreview();
@@ -316,7 +319,6 @@ void ExportDialog::previewFailed(const QString& reason, const NeededHeight& need
 void ExportDialog::refuse(const QString& reason) {
   showFailure(reason);
   preview_->showPicture({}, tr("No preview."));
-  emit previewed(false);
 }
 
 void ExportDialog::takePreview() {
@@ -335,7 +337,6 @@ void ExportDialog::takePreview() {
     preview_->showPicture(QImage(previewFile_), previewNote_);
   }
   made.remove();
-  emit previewed(true);
 }
 
 // ---- Writing

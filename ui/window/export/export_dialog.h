@@ -55,8 +55,6 @@ class ExportDialog : public QDialog {
 
  signals:
   void exported(const QString& file);
-  /// Emitted when the preview of the newest request is shown, or the reason why there is none.
-  void previewed(bool isGood);
 
  public slots:
   void reject() override;

@@ -3,79 +3,21 @@
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
 #include <QSignalBlocker>
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include "core/chart/figure_style.h"
 #include "core/paper/figure.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
+#include "ui/window/export/export_size_fields.h"
 #include "ui/window/figures/figure_queue.h"
 
 namespace asperity {
-
-namespace {
-
-constexpr double kScreen = 96, kPaper = 300;  // usual pixels per inch
-constexpr double kInch = 25.4;                // mm
-
-/// A size in pixels or millimetres.
-struct ExportSize {
-  double width, height;
-  bool isOnPaper;
-  double density;  // pixels per inch
-};
-
-constexpr const char *kUsual = "usual", *kOfStyle = "style", *kOwn = "own";
-
-struct NamedSize {
-  const char* word;
-  QString text;
-  ExportSize size;
-};
-
-QList<NamedSize> namedSizes() {
-  return {{"slide", ExportForm::tr("Slide, 1280 × 720"), {1280, 720, false, 96}},
-          {"hd", ExportForm::tr("Full HD, 1920 × 1080"), {1920, 1080, false, 144}},
-          {"4k", ExportForm::tr("4K, 3840 × 2160"), {3840, 2160, false, 288}},
-          {"column", ExportForm::tr("Column of a journal, 86 × 62 mm"), {86, 62, true, 600}},
-          {"page", ExportForm::tr("Page of a journal, 178 × 130 mm"), {178, 130, true, 600}}};
-}
-
-/// Returns what a command reads where people may type a decimal comma.
-QString machineNumber(const QLineEdit& entry) {
-  return entry.text().trimmed().replace(',', '.');
-}
-
-void choose(QComboBox& box, const QString& word) {
-  if (const int index = box.findData(word); index >= 0) box.setCurrentIndex(index);
-}
-
-/// Returns the size of a style.
-std::optional<ExportSize> sizeOfStyle(const QString& name) {
-  const FigureStyle style = readStyle(name.toStdString());
-  const auto size = parsePictureSize(style.size);
-  if (!size) return {};
-  const bool isOnPaper = size->isOnPaper();
-  const double inUnit = isOnPaper ? kInch / size->perInch : 1;
-  const double usual = isOnPaper ? kPaper : kScreen;
-  return ExportSize{inUnit * size->width, inUnit * size->height, isOnPaper,
-                    style.dotsPerInch > 0 ? style.dotsPerInch : usual};
-}
-
-QString chosen(const QComboBox& box) {
-  return box.currentData().toString();
-}
-
-}  // namespace
 
 ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget* parent)
     : QWidget(parent), isMotion_(isMotion), shown_(shown), rows_(new QFormLayout(this)) {
@@ -93,11 +35,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   style_->addItem(tr("none"), "");
   for (const std::string_view name : namesOf(shippedStyles()))
     style_->addItem(fromUtf8(name), fromUtf8(name));
-  addSize();
-  density_ = addField<QLineEdit>(
-      *rows_, "exportDensity", tr("&Resolution (dpi)"),
-      tr("Pixels per inch. More of them make texts and lines of a picture in pixels "
-         "larger, and a picture on paper finer."));
+  size_ = new ExportSizeFields(*rows_, shown_);
   theme_ = addField<ChoiceBox>(*rows_, "exportTheme", tr("&Theme"));
   theme_->addItem(tr("automatic"), "");
   theme_->addItem(tr("light"), "light");
@@ -125,9 +63,9 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
          "render --help lists them"));
 
   fillContents();
-  choose(*theme_, shown_.dark ? "dark" : "");
+  chooseWord(*theme_, shown_.dark ? "dark" : "");
   connectControls();
-  showSize();
+  fitSize();
   // The widest kind of export sets the width, so that nothing moves with the kind.
   setMinimumWidth(rows_->minimumSize().width());
   showRows();
@@ -159,12 +97,14 @@ void ExportForm::addFilm() {
 }
 
 void ExportForm::connectControls() {
-  for (QComboBox* box : {kind_, content_, format_, style_, preset_, unit_, theme_, speed_})
+  for (QComboBox* box : {kind_, content_, format_, style_, theme_, speed_})
     connect(box, &QComboBox::currentIndexChanged, this, [this, box] { followChoice(box); });
-  for (QLineEdit* entry : {width_, height_})
-    connect(entry, &QLineEdit::textEdited, this, [this] { choose(*preset_, kOwn); });
-  for (QLineEdit* entry : {width_, height_, density_, duration_, rate_, speedValue_, columns_,
-                           realizations_, further_})
+  connect(size_, &ExportSizeFields::changed, this, &ExportForm::changed);
+  connect(size_, &ExportSizeFields::presetChanged, this, [this] {
+    if (size_->isOnPaper() && chosenWord(*theme_) == "dark") chooseWord(*theme_, "");
+    emit changed();
+  });
+  for (QLineEdit* entry : {duration_, rate_, speedValue_, columns_, realizations_, further_})
     connect(entry, &QLineEdit::textEdited, this, &ExportForm::changed);
   for (QCheckBox* box : {transparent_, asShown_})
     connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
@@ -174,45 +114,15 @@ void ExportForm::connectControls() {
 void ExportForm::followChoice(const QComboBox* box) {
   if (box == kind_) fillContents();
   if (box == content_) fillFormats();
+  if (box == kind_ || box == content_ || box == style_) fitSize();
   if (box == style_) {
-    fillSizes();
-    choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
-    if (!chosen(*style_).isEmpty())
-      choose(*theme_, "");  // that of the style
+    if (!chosenWord(*style_).isEmpty())
+      chooseWord(*theme_, "");  // that of the style
     else if (shown_.dark && kind() != ExportKind::Figure)
-      choose(*theme_, "dark");
-  }
-  if (box == preset_ || box == style_ || box == content_ || box == kind_) showSize();
-  if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
-  if (box == unit_) {
-    convertSize();
-    choose(*preset_, kOwn);
+      chooseWord(*theme_, "dark");
   }
   showRows();
   emit changed();
-}
-
-/// Adds the named sizes, and below them width, height and unit in one row.
-void ExportForm::addSize() {
-  preset_ = addField<ChoiceBox>(*rows_, "exportPreset", tr("S&ize"));
-  size_ = new QWidget;
-  auto* row = marginless<QHBoxLayout>(size_);
-  width_ = named<QLineEdit>("exportWidth");
-  width_->setAccessibleName(tr("width"));
-  height_ = named<QLineEdit>("exportHeight");
-  height_->setAccessibleName(tr("height"));
-  auto* units = named<ChoiceBox>("exportUnit");
-  units->setSpoken(tr("unit of width and height"));
-  unit_ = units;
-  unit_->addItem(tr("pixels"), "");
-  unit_->addItem("mm", "mm");
-  size_->setToolTip(tr(
-      "A picture on paper becomes higher where several panels need more room for their letters."));
-  row->addWidget(width_, 1);
-  row->addWidget(new QLabel(QStringLiteral("×")));
-  row->addWidget(height_, 1);
-  row->addWidget(unit_);
-  rows_->addRow(QString(), size_);
 }
 
 void ExportForm::setKind(ExportKind kind) {
@@ -220,7 +130,7 @@ void ExportForm::setKind(ExportKind kind) {
 }
 
 void ExportForm::setContent(const QString& content) {
-  choose(*content_, content);
+  chooseWord(*content_, content);
 }
 
 ExportKind ExportForm::kind() const {
@@ -236,13 +146,13 @@ void ExportForm::fillContents() {
     content_->addItem(tr("All figures"), "all");
     for (const FigureEntry& entry : figureEntries())
       content_->addItem(figureTitle(entry), fromUtf8(entry.word));
-    choose(*theme_, "");  // that of print
+    chooseWord(*theme_, "");  // that of print
   } else if (kind() == ExportKind::Table) {
     content_->addItem(tr("Friction curve"), "curve");
     if (isMotion_) content_->addItem(tr("Motion in time"), "motion");
     content_->addItem(tr("Contact, point by point"), "shape");
     content_->addItem(tr("List of contacts"), "contacts");
-    if (isMotion_) choose(*content_, "motion");
+    if (isMotion_) chooseWord(*content_, "motion");
   } else {
     content_->addItem(tr("Contact"), "contact");
     content_->addItem(tr("Contact and friction curve"), "both");
@@ -251,14 +161,14 @@ void ExportForm::fillContents() {
       content_->addItem(tr("Friction curve"), "curve");
       if (isMotion_) content_->addItem(tr("Motion in time"), "motion");
     }
-    choose(*content_, shown_.layout);
+    chooseWord(*content_, shown_.layout);
   }
   fillFormats();
 }
 
 void ExportForm::fillFormats() {
   const QSignalBlocker quiet(format_);
-  const QString before = chosen(*format_);
+  const QString before = chosenWord(*format_);
   format_->clear();
   switch (kind()) {
     case ExportKind::Picture:
@@ -281,68 +191,16 @@ void ExportForm::fillFormats() {
       format_->addItem(tr("Folder: PNG, SVG, PDF, CSV"), "");
       break;
   }
-  choose(*format_, before);
-  fillSizes();
+  chooseWord(*format_, before);
 }
 
-void ExportForm::fillSizes() {
-  const QSignalBlocker quiet(preset_);
-  const QString before = chosen(*preset_);
-  preset_->clear();
-  preset_->addItem(hasContact() ? tr("As in the window") : tr("Usual size"), kUsual);
-  if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
-  for (const NamedSize& each : namedSizes()) preset_->addItem(each.text, each.word);
-  preset_->addItem(tr("Own size"), kOwn);
-  choose(*preset_, before);
-}
-
-/// Shows the width, height and resolution of the named size.
-void ExportForm::showSize() {
-  const QString word = chosen(*preset_);
-  if (word == kOwn) return;
-  const auto ofStyle = word == kOfStyle ? sizeOfStyle(chosen(*style_)) : std::nullopt;
-  if (word == kOfStyle && !ofStyle) return;
-  if (hasOwnSize() && !ofStyle) {  // which the command chooses
-    for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
-    return;
-  }
-  ExportSize size{1200, 800, false, kScreen};
-  if (chosen(*content_) == "motion") size.height = 1000;
-  if (chosen(*content_) == "curve") size.height = curveHeight(shown_.curves, {1200, 800}, 1);
-  if (const QSize window = renderSize(shown_, chosen(*content_)); hasContact() && !window.isEmpty())
-    size = {1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
-  for (const NamedSize& each : namedSizes())
-    if (word == each.word) size = each.size;
-  if (ofStyle) size = *ofStyle;
-  const QSignalBlocker quiet(unit_);
-  width_->setText(QString::number(size.width));
-  height_->setText(QString::number(size.height));
-  choose(*unit_, size.isOnPaper ? "mm" : "");
-  density_->setText(QString::number(size.density));
-}
-
-/// Gives width and height in the unit that was just chosen, at the resolution of the form, so that
-/// the picture keeps its size.
-void ExportForm::convertSize() {
-  const double perInch = machineNumber(*density_).toDouble();
-  if (!(perInch > 0)) return;
-  for (QLineEdit* entry : {width_, height_}) {
-    const double size = machineNumber(*entry).toDouble();
-    if (!(size > 0)) continue;
-    entry->setText(isOnPaper() ? QString::number(size * kInch / perInch, 'g', 6)
-                               : QString::number(std::round(size * perInch / kInch), 'g', 15));
-  }
-}
-
-/// Returns whether the command chooses the size: that of the style, or of a figure.
-bool ExportForm::hasOwnSize() const {
-  const QString size = chosen(*preset_);
-  return size == kOfStyle || (size == kUsual && kind() == ExportKind::Figure);
+void ExportForm::fitSize() {
+  size_->setContent({kind(), chosenWord(*content_), chosenWord(*style_), hasContact()});
 }
 
 /// Returns whether the contact is drawn or listed, rather than diagrams alone.
 bool ExportForm::hasContact() const {
-  const QString content = chosen(*content_);
+  const QString content = chosenWord(*content_);
   return content != "curve" && content != "motion" && kind() != ExportKind::Figure;
 }
 
@@ -352,7 +210,7 @@ bool ExportForm::canBeTransparent() const {
 }
 
 bool ExportForm::isSlow() const {
-  return chosen(*speed_) == "slow";
+  return chosenWord(*speed_) == "slow";
 }
 
 /// Returns whether the length of the film can be given: that of a whole motion follows from how
@@ -361,17 +219,11 @@ bool ExportForm::hasDuration() const {
   return !(isMotion_ && isSlow());
 }
 
-bool ExportForm::isOnPaper() const {
-  return chosen(*unit_) == "mm";
-}
-
 /// Shows the rows that have a meaning for the kind.
 void ExportForm::showRows() {
   const bool isTable = kind() == ExportKind::Table, isFilm = kind() == ExportKind::Film;
   const auto show = [this](QWidget* field, bool isShown) { setRowShown(*rows_, field, isShown); };
-  for (QWidget* field : Widgets{style_, preset_, size_, density_, theme_, transparent_})
-    show(field, !isTable);
-  for (QWidget* field : Widgets{width_, height_, unit_, density_}) field->setEnabled(!hasOwnSize());
+  for (QWidget* field : Widgets{style_, theme_, transparent_}) show(field, !isTable);
   show(asShown_, hasContact());
   asShown_->setText(isFilm ? tr("Same p&art of the line as in the window")
                            : tr("Same p&art of the line and moment as in the window"));
@@ -381,7 +233,7 @@ void ExportForm::showRows() {
                                : tr("MP4 knows no transparency. WebM, GIF and WebP know it."));
   for (QWidget* field : Widgets{duration_, rate_, speedRow_}) show(field, isFilm);
   duration_->setEnabled(hasDuration());
-  speedValue_->setEnabled(chosen(*speed_) != "whole");
+  speedValue_->setEnabled(chosenWord(*speed_) != "whole");
   show(columns_, isTable);
   show(realizations_, kind() == ExportKind::Figure);
 }
@@ -389,54 +241,32 @@ void ExportForm::showRows() {
 ExportRequest ExportForm::request() const {
   ExportRequest request;
   request.kind = kind();
-  request.content = chosen(*content_);
+  request.content = chosenWord(*content_);
   request.asShown = asShown_->isChecked();
   request.further = QProcess::splitCommand(further_->text());
   if (request.kind == ExportKind::Table) {
     request.columns = columns_->text().simplified().remove(' ');
     return request;
   }
-  request.style = chosen(*style_);
-  request.theme = chosen(*theme_);
+  request.style = chosenWord(*style_);
+  request.theme = chosenWord(*theme_);
   request.isTransparent = transparent_->isChecked() && canBeTransparent();
   if (request.kind == ExportKind::Figure) request.realizations = machineNumber(*realizations_);
-  if (!hasOwnSize()) {
-    const QString unit = chosen(*unit_);
-    request.size = machineNumber(*width_) + unit + 'x' + machineNumber(*height_) + unit;
-    const QString usual = QString::number(isOnPaper() ? kPaper : kScreen);
-    if (const QString density = machineNumber(*density_);
-        density != usual || !request.style.isEmpty())
-      request.scale = density + QStringLiteral("dpi");
-  }
+  size_->writeTo(request);
   if (request.kind != ExportKind::Film) return request;
   if (hasDuration()) request.duration = machineNumber(*duration_);
   request.framesPerSecond = machineNumber(*rate_);
   if (isSlow()) request.slowMotion = machineNumber(*speedValue_);
-  if (chosen(*speed_) == "cycles") request.cycles = machineNumber(*speedValue_);
+  if (chosenWord(*speed_) == "cycles") request.cycles = machineNumber(*speedValue_);
   return request;
 }
 
 QString ExportForm::extension() const {
-  return chosen(*format_);
+  return chosenWord(*format_);
 }
 
 void ExportForm::chooseExtension(const QString& extension) {
-  const int index = extension.isEmpty() ? -1 : format_->findData(extension);
-  if (index >= 0) format_->setCurrentIndex(index);
-}
-
-/// The command names the size that it was given and one that is enough, "640x444" and "640x530",
-/// in pixels of the preview.
-std::optional<double> ExportForm::heightEnough(const NeededHeight& needed) const {
-  const double height = machineNumber(*height_).toDouble();
-  if (isTyped("--size") || needed.enough <= needed.given || !(height > 0)) return std::nullopt;
-  return std::ceil(height * needed.enough / needed.given);
-}
-
-bool ExportForm::raiseHeight(double height) {
-  if (chosen(*preset_) != kUsual || hasOwnSize()) return false;
-  height_->setText(QString::number(height));  // textEdited is not emitted: the size stays the usual
-  return true;
+  if (!extension.isEmpty()) chooseWord(*format_, extension);
 }
 
 bool ExportForm::isTyped(const QString& option) const {
@@ -452,7 +282,7 @@ QString ExportForm::errorText() const {
   for (const QLineEdit* entry : numbers())
     if (!(machineNumber(*entry).toDouble() > 0))
       return tr("%1: “%2” is not a number above 0.").arg(entry->accessibleName(), entry->text());
-  return sizeError();
+  return size_->errorText();
 }
 
 /// Returns the entries that have a meaning for the kind and hold a number, but for the size.
@@ -461,46 +291,24 @@ std::vector<const QLineEdit*> ExportForm::numbers() const {
   if (kind() != ExportKind::Film) return {};
   std::vector<const QLineEdit*> numbers{rate_};
   if (hasDuration()) numbers.push_back(duration_);
-  if (chosen(*speed_) != "whole") numbers.push_back(speedValue_);
+  if (chosenWord(*speed_) != "whole") numbers.push_back(speedValue_);
   return numbers;
-}
-
-QString ExportForm::sizeError() const {
-  if (kind() == ExportKind::Table || hasOwnSize()) return {};
-  const QSizeF size = pixels();
-  if (!(size.width() > 0 && size.height() > 0 && machineNumber(*density_).toDouble() > 0))
-    return tr("Width, height and resolution are numbers above 0.");
-  for (const auto& [name, side] :
-       {std::pair(tr("width"), size.width()), std::pair(tr("height"), size.height())})
-    if (side < kSmallestPicture - 0.5 || side >= kLargestPicture + 0.5)
-      return tr("The picture has a %1 of %2 pixels; %3 to %4 are allowed.")
-          .arg(name, readingLabel(side))
-          .arg(kSmallestPicture)
-          .arg(kLargestPicture);
-  return {};
 }
 
 QString ExportForm::inWords(const QString& reason, const NeededHeight& needed) const {
   const QString option = reason.section(':', 0, 0);
   if (isTyped(option)) return reason;
-  if (option == "--size") {
-    if (const auto height = heightEnough(needed))
-      return tr("The picture is too small for its diagrams; %1 × %2 %3 are enough.")
-          .arg(width_->text(), QString::number(*height), unit_->currentText());
-    return tr("The picture is too small for its diagrams; make it higher or wider.");
-  }
-  for (const auto& [name, entry] :
-       {std::pair("--scale", density_), std::pair("--fps", rate_),
-        std::pair("--duration", duration_), std::pair("--cycles", speedValue_),
-        std::pair("--slow-motion", speedValue_), std::pair("--columns", columns_),
-        std::pair("--realizations", realizations_)})
+  if (option == "--size") return size_->tooSmallText(needed);
+  for (const auto& [name, entry] : std::initializer_list<std::pair<const char*, const QLineEdit*>>{
+           {"--scale", &size_->density()},
+           {"--fps", rate_},
+           {"--duration", duration_},
+           {"--cycles", speedValue_},
+           {"--slow-motion", speedValue_},
+           {"--columns", columns_},
+           {"--realizations", realizations_}})
     if (option == QLatin1String(name)) return entry->accessibleName() + reason.mid(option.size());
   return reason;
-}
-
-QSizeF ExportForm::pixels() const {
-  const QSizeF size(machineNumber(*width_).toDouble(), machineNumber(*height_).toDouble());
-  return isOnPaper() ? size * (machineNumber(*density_).toDouble() / kInch) : size;
 }
 
 }  // namespace asperity

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 #include <vector>
 
 #include "ui/window/export/asperity_command.h"
@@ -17,6 +16,8 @@ class QLabel;
 class QLineEdit;
 
 namespace asperity {
+
+class ExportSizeFields;
 
 class ExportForm : public QWidget {
   Q_OBJECT
@@ -38,12 +39,7 @@ class ExportForm : public QWidget {
   /// Chooses the format of files with this extension, if the kind has one.
   void chooseExtension(const QString& extension);
 
-  /// Returns the least height that holds the picture's diagrams, in the unit of the form, where a
-  /// command refused the present one.
-  std::optional<double> heightEnough(const NeededHeight& needed) const;
-  /// Sets this height where the size is the usual one, which the user did not choose. Returns
-  /// whether it is.
-  bool raiseHeight(double height);
+  ExportSizeFields& size() { return *size_; }
 
   /// Returns whether the user typed this option, such as "--threads", among the other ones.
   bool isTyped(const QString& option) const;
@@ -57,40 +53,30 @@ class ExportForm : public QWidget {
   /// they are given as those of the form.
   QString inWords(const QString& reason, const NeededHeight& needed) const;
 
-  /// Returns the width and height in pixels as far as they are known; empty where the style or the
-  /// command chooses them.
-  QSizeF pixels() const;
-
  signals:
   void changed();
 
  private:
-  void addSize();
   void addFilm();
   void connectControls();
   void fillContents();
   void fillFormats();
-  void fillSizes();
   void followChoice(const QComboBox* box);
-  void showSize();
-  void convertSize();
+  void fitSize();
   bool hasContact() const;
   bool canBeTransparent() const;
   bool isSlow() const;
   bool hasDuration() const;
   void showRows();
-  bool isOnPaper() const;
-  bool hasOwnSize() const;
   std::vector<const QLineEdit*> numbers() const;
-  QString sizeError() const;
 
   bool isMotion_;
   RenderCommandOptions shown_;
   QFormLayout* rows_;
-  QComboBox *kind_, *content_, *format_, *preset_, *unit_, *theme_, *style_, *speed_;
-  QLineEdit *width_, *height_, *density_, *duration_, *rate_, *speedValue_, *columns_,
-      *realizations_, *further_;
-  QWidget *size_, *speedRow_;
+  QComboBox *kind_, *content_, *format_, *theme_, *style_, *speed_;
+  ExportSizeFields* size_;
+  QLineEdit *duration_, *rate_, *speedValue_, *columns_, *realizations_, *further_;
+  QWidget* speedRow_;
   QCheckBox *transparent_, *asShown_;
 };
 

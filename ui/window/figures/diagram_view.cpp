@@ -1,9 +1,7 @@
 #include "ui/window/figures/diagram_view.h"
 
-#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QEvent>
-#include <QGuiApplication>
 #include <QMenu>
 #include <QPainter>
 #include <QTimer>
@@ -11,17 +9,14 @@
 #include <exception>
 #include <utility>
 
-#include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "ui/chart/chart_style.h"
 #include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/picture_file.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/appearance.h"
-#include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
 
@@ -29,7 +24,7 @@ namespace {
 
 constexpr int kPicturePause = 400;  // ms between two pictures
 
-DiagramSheet makeSheet(const DiagramView::Maker& maker) {
+DiagramSheet makeSheet(const DiagramMaker& maker) {
   try {
     return maker();
   } catch (const std::exception& error) {
@@ -63,7 +58,8 @@ DiagramSheet readableSheet(DiagramSheet sheet, const DiagramOptions& options) {
   return sheet;
 }
 
-DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(this)) {
+DiagramView::DiagramView(QWidget* parent)
+    : QWidget(parent), files_(new DiagramFiles(*this)), pause_(new QTimer(this)) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   pause_->setSingleShot(true);
   pause_->setInterval(kPicturePause);
@@ -72,22 +68,22 @@ DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(t
   });
 }
 
-void DiagramView::show(Maker maker, DiagramExport saved) {
-  maker_ = std::move(maker);
-  export_ = std::move(saved);
-  compose_ = [made = maker_](const DiagramOptions& options) {
-    const DiagramSheet sheet = readableSheet(makeSheet(made), options);
+void DiagramView::show(const DiagramMaker& maker, DiagramExport saved) {
+  compose_ = [maker](const DiagramOptions& options) {
+    const DiagramSheet sheet = readableSheet(makeSheet(maker), options);
     return Picture{composeDiagrams(sheet, options), diagramFrames(sheet, options)};
   };
+  if (!saved.sheet) saved.sheet = maker;
+  files_->setDiagram(std::move(saved));
   // The menu with which it is saved opens by a key, too.
-  if (!export_.name.isEmpty()) setFocusPolicy(Qt::StrongFocus);
+  if (!files_->isEmpty()) setFocusPolicy(Qt::StrongFocus);
   requestSoon();
 }
 
 void DiagramView::showPicture(Composer composer) {
   pictures_.cancel();
-  maker_ = {};
-  export_ = {};
+  files_->setDiagram({});
+  placeholder_.clear();
   compose_ = [draw = std::move(composer)](const DiagramOptions& options) {
     return Picture{draw(options)};
   };
@@ -96,9 +92,16 @@ void DiagramView::showPicture(Composer composer) {
 
 void DiagramView::clear() {
   pictures_.cancel();
-  maker_ = {};
+  files_->setDiagram({});
   compose_ = {};
   take({}, {});
+}
+
+void DiagramView::showText(const QString& text) {
+  clear();
+  setPlaceholder(text);
+  setAccessibleName(text);
+  setAccessibleDescription({});
 }
 
 void DiagramView::take(const QImage& image, const std::vector<ChartGeometry>& frames) {
@@ -184,52 +187,8 @@ void DiagramView::changeEvent(QEvent* event) {
 }
 
 void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
-  if (export_.name.isEmpty() || !maker_) return QWidget::contextMenuEvent(event);
-  QMenu menu(this);
-  menu.addAction(tr("Copy picture"), this, &DiagramView::copy);
-  menu.addAction(saveText() + QStringLiteral("…"), this, &DiagramView::saveAs);
-  menu.exec(event->globalPos());
-}
-
-/// Returns what is saved, for the menu and the title of the dialog behind it.
-QString DiagramView::saveText() const {
-  return export_.table ? tr("Save picture or data") : tr("Save picture");
-}
-
-void DiagramView::saveAs() {
-  QString filters = tr("Pictures (*.png *.svg *.pdf)");
-  if (export_.table) filters += ";;" + tr("Tables (*.csv)");
-  const QString file = askSaveFile(this, saveText(), export_.name + ".png", filters);
-  if (!file.isEmpty()) save(file);
-}
-
-void DiagramView::save(const QString& file) {
-  files_.request(
-      [maker = maker_, saved = export_, theme = theme(), file](const BackgroundWork::Run&) {
-        const std::filesystem::path path = file.toStdString();
-        if (saved.table && file.endsWith(".csv", Qt::CaseInsensitive))
-          return writeFileAtomically(path, saved.table());
-        const DiagramSheet sheet = saved.sheet ? saved.sheet() : maker();
-        const DiagramOptions options = printOptions(sheet, theme);
-        writePicture(path, composeDiagrams(sheet, options),
-                     {translated(sheet.title), saved.origin ? saved.origin() : std::string(),
-                      options.scale});
-      },
-      [this, file] { emit saved(file); }, [this](const LiveText& reason) { emit failed(reason); });
-}
-
-void DiagramView::copy() {
-  files_.request(
-      [maker = export_.sheet ? export_.sheet : maker_,
-       theme = theme()](const BackgroundWork::Run&) {
-        const DiagramSheet sheet = makeSheet(maker);
-        return renderImage(contextOfThread(), composeDiagrams(sheet, printOptions(sheet, theme)));
-      },
-      [this](const QImage& image) {
-        QGuiApplication::clipboard()->setImage(image);
-        emit saved({});
-      },
-      [this](const LiveText& reason) { emit failed(reason); });
+  if (files_->isEmpty()) return QWidget::contextMenuEvent(event);
+  QMenu::exec(files_->actions(), event->globalPos(), nullptr, this);
 }
 
 bool DiagramView::hasFrame() const {

@@ -2,32 +2,23 @@
 // palette, the font and the language of the view: only the newest request, and only while the view
 // is visible; a menu copies or saves diagrams. GUI thread; owned by its parent. Failure: an error
 // of the maker is shown as text instead of the diagrams; where nothing can be drawn the view is
-// empty, and the signal reports it, as it does where a file cannot be written.
+// empty, and the signal reports it.
 #pragma once
 
 #include <QImage>
 #include <QWidget>
 #include <functional>
-#include <string>
 
 #include "core/chart/diagram.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/theme.h"
 #include "ui/language/language.h"
+#include "ui/window/figures/diagram_files.h"
 #include "ui/window/tasks/background_work.h"
 
 class QTimer;
 
 namespace asperity {
-
-/// The functions that write a diagram as a file. Both are called on the worker's thread.
-struct DiagramExport {
-  QString name{};                         // proposed: "material"; empty: it cannot be saved
-  std::function<std::string()> origin{};  // provenance of the picture
-  std::function<std::string()> table{};   // its numbers as CSV; may be empty
-  /// The sheet of a file where it differs from that of the view; may be empty.
-  std::function<DiagramSheet()> sheet{};
-};
 
 /// Returns the sheet as it can be read at this size: diagrams that would be too low below each
 /// other stand side by side, with symbols in the legend and the subtitle in place of both headings;
@@ -38,17 +29,17 @@ class DiagramView : public QWidget {
   Q_OBJECT
 
  public:
-  /// Makes the diagram. It is called on the worker's thread and may throw.
-  using Maker = std::function<DiagramSheet()>;
   /// Draws a picture of this size. It is called on the worker's thread and may throw.
   using Composer = std::function<DrawList(const DiagramOptions& options)>;
 
   explicit DiagramView(QWidget* parent = nullptr);
 
   /// Sets the diagram to show from now on; of many fast requests some are skipped.
-  void show(Maker maker, DiagramExport saved = {});
+  void show(const DiagramMaker& maker, DiagramExport saved = {});
   /// Sets a picture to show from now on, which the view cannot save.
   void showPicture(Composer composer);
+  /// Shows a text instead of a picture, which is also the name for screen readers.
+  void showText(const QString& text);
   /// Shows nothing until the next picture is made.
   void clear();
   /// Sets the text that is shown in the middle while there is no diagram yet; empty: none.
@@ -61,24 +52,17 @@ class DiagramView : public QWidget {
 
   /// Returns where the diagrams are in the picture that is shown, in logical pixels of the view.
   const std::vector<ChartGeometry>& frames() const { return frames_; }
-  /// Opens a file dialog and writes the diagram to the chosen file.
-  void saveAs();
+  /// Returns what saves and copies the diagrams; it is empty where they cannot be saved.
+  DiagramFiles& files() { return *files_; }
 
   /// Returns whether the newest request is on the screen.
   bool isPainted() const { return !image_.isNull() && !pictures_.isBusy() && !isDue_; }
   const QImage& image() const { return image_; }
 
-  /// Writes the diagram in the background: .png, .svg, .pdf, or .csv where it has a table. saved()
-  /// or failed() follows.
-  void save(const QString& file);
-  /// Puts the picture on the clipboard; saved() without a file follows.
-  void copy();
-
   QSize minimumSizeHint() const override { return {320, 170}; }
 
  signals:
   void failed(const asperity::LiveText& reason);
-  void saved(const QString& file);
   /// Emitted when the view appears or disappears: only a visible diagram needs data.
   void visibilityChanged(bool isVisible);
 
@@ -94,7 +78,6 @@ class DiagramView : public QWidget {
   const Theme& theme() const;
 
  private:
-  QString saveText() const;
   /// A picture, and where the diagrams are in it, in pixels.
   struct Picture {
     DrawList list;
@@ -107,17 +90,14 @@ class DiagramView : public QWidget {
   bool hasFrame() const;
 
   QString placeholder_;
-  Maker maker_;  // of the diagrams, if the picture has some
-  DiagramExport export_;
+  DiagramFiles* files_;
   std::function<Picture(const DiagramOptions&)> compose_;
   float minTextSize_ = 1;  // views are low, which would make their texts small
   QImage image_;
   std::vector<ChartGeometry> frames_;
   QTimer* pause_;
   bool isDue_ = false;
-  // Last: their threads end before other members are destroyed.
-  BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
-  BackgroundWork files_{RequestPolicy::RunInOrder};
+  BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};  // last: its thread ends first
 };
 
 }  // namespace asperity

@@ -259,15 +259,15 @@ void FiguresPage::take(FigureName name) {
 /// Shows a text while there is no figure, and says to screen readers what there is.
 void FiguresPage::describePicture() {
   const FigureStatus& status = queue_->status(chosen());
-  QString text;
-  if (!status.made)
-    text = status.work == FigureStage::None
-               ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
-               : tr("%1 appears here once it is computed.").arg(figureLabel(chosen()));
-  picture_->setPlaceholder(text);
-  picture_->setAccessibleName(status.made ? translatedText(status.made->figure.sheet.title) : text);
-  picture_->setAccessibleDescription(status.made ? translatedText(status.made->figure.sheet.note)
-                                                 : QString());
+  if (status.made) {
+    picture_->setAccessibleName(translatedText(status.made->figure.sheet.title));
+    picture_->setAccessibleDescription(translatedText(status.made->figure.sheet.note));
+  } else {
+    const QString text = status.work == FigureStage::None
+                             ? tr("%1 is not computed yet.")
+                             : tr("%1 appears here once it is computed.");
+    picture_->showText(text.arg(figureLabel(chosen())));
+  }
 }
 
 void FiguresPage::showChosen() {
@@ -289,8 +289,6 @@ void FiguresPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
     picture_->showPicture([made = shown_](const DiagramOptions& options) {
       return composeFigure(made->figure, made->contact.get(), options);
     });
-  else
-    picture_->clear();
   emit figureShown();
 }
 

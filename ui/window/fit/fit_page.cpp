@@ -122,7 +122,9 @@ void FitPage::buildResult() {
   sheets_->addTab(tr("Progress"));
   connect(sheets_, &QTabBar::currentChanged, this, &FitPage::showSheet);
   sheet_->setAccessibleName(tr("the fit as a diagram"));
-  connect(sheet_, &DiagramView::failed, this, [this](const QString& reason) { finish(reason); });
+  const auto fails = [this](const QString& reason) { finish(reason); };
+  connect(sheet_, &DiagramView::failed, this, fails);
+  connect(&sheet_->files(), &DiagramFiles::failed, this, fails);
 }
 
 QLayout* FitPage::foot() {

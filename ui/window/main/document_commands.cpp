@@ -112,21 +112,17 @@ void DocumentCommands::openFile(const QString& file) {
   }
   reading_.request([file](const BackgroundWork::Run&) { return findScene(file.toStdString()); },
                    [this, file](const FoundScene& found) { showFound(file, found); },
-                   [this, file](const LiveText& reason) {
+                   [this](const LiveText& reason) {
                      messages_.showFailure(MessageBar::Failure::Files, reason);
-                     emit sceneRead(file, false);
                    });
 }
 
 void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
-  const bool isShown = confirmOpen(file, found);
-  if (isShown) {
-    // A scene that was opened from a picture must not be saved over the picture.
-    document_.open({{}, found.isEmbedded ? QString() : file, found.scene});
-    addRecentFile(file);
-    fillRecent();
-  }
-  emit sceneRead(file, isShown);
+  if (!confirmOpen(file, found)) return;
+  // A scene that was opened from a picture must not be saved over the picture.
+  document_.open({{}, found.isEmbedded ? QString() : file, found.scene});
+  addRecentFile(file);
+  fillRecent();
 }
 
 /// Asks a question where a scene, which another user may have put into a file, reads other files or

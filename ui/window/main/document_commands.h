@@ -35,8 +35,8 @@ class DocumentCommands : public QObject {
 
   /// Reads a scene file, or any file that the program wrote from one, in the background, and shows
   /// its scene as showFound() does; where the file cannot be read, the message bar shows the
-  /// reason. The newest call wins. sceneRead() follows unless a newer call, or another scene,
-  /// cancels the reading. A lesson, or results of one, only cause lessonFound(), at once.
+  /// reason. A newer call, or another scene, cancels the reading. A lesson, or results of one, only
+  /// cause lessonFound(), at once.
   void openFile(const QString& file);
   /// Shows a scene that was read from a file. Asks first where the scene comes from a picture, film
   /// or table and would read another file, or needs very much memory or time.
@@ -52,8 +52,6 @@ class DocumentCommands : public QObject {
  signals:
   /// Emitted instead of opening a file that is a lesson, or a student's results of one.
   void lessonFound(const QString& file);
-  /// Emitted when a requested file has been read, and its scene is shown or not.
-  void sceneRead(const QString& file, bool isShown);
   /// Emitted when the scene was saved to this file.
   void saved(const QString& file);
 

@@ -34,6 +34,10 @@ namespace asperity {
 
 namespace {
 
+QString copiedText() {
+  return Exports::tr("The picture is on the clipboard");
+}
+
 QSize devicePixels(const QWidget& widget) {
   return widget.size() * widget.devicePixelRatioF();
 }
@@ -53,7 +57,11 @@ std::shared_ptr<const Frame> stillCopy(const Frame& frame) {
   return still;
 }
 
-Exports::Exports(const ExportParts& parts) : QObject(&parts.window), parts_(parts) {}
+Exports::Exports(const ExportParts& parts) : QObject(&parts.window), parts_(parts) {
+  connect(&parts_.tabs, &SceneTabs::saved, this, &Exports::showSaved);
+  connect(&parts_.tabs, &SceneTabs::copied, this, [this] { showSuccess(copiedText); });
+  connect(&parts_.tabs, &SceneTabs::failed, this, &Exports::showFailure);
+}
 
 void Exports::addTo(Commands& commands) {
   commands.add({"copyPicture",
@@ -131,36 +139,38 @@ std::optional<ContactShot> Exports::shot() const {
 /// Returns whether there is a contact to draw; otherwise the message bar gives the reason.
 bool Exports::hasPicture() const {
   if (parts_.canvas.frame()) return true;
-  parts_.messages.showFailure(MessageBar::Failure::Export, [] {
-    return tr("There is no picture of the contact: this scene has not been computed.");
-  });
+  showFailure(
+      [] { return tr("There is no picture of the contact: this scene has not been computed."); });
   return false;
 }
 
-/// Draws in the background, so that the window stays responsive.
-void Exports::run(std::function<void()> work, std::function<void()> done) {
-  work_.request([work = std::move(work)](const BackgroundWork::Run&) { work(); },
-                [this, done = std::move(done)] {
-                  parts_.messages.end(MessageBar::Failure::Export);
-                  done();
-                },
-                [this](const LiveText& reason) {
-                  parts_.messages.showFailure(MessageBar::Failure::Export, reason);
-                });
+/// Shows that an export has succeeded, after which the failure of another one is over.
+void Exports::showSuccess(const LiveText& text) {
+  parts_.messages.end(MessageBar::Failure::Export);
+  parts_.status.showMessage(text);
+}
+
+void Exports::showSaved(const QString& file) {
+  showSuccess([file] { return tr("Saved %1").arg(QFileInfo(file).fileName()); });
+}
+
+void Exports::showFailure(const LiveText& reason) const {
+  parts_.messages.showFailure(MessageBar::Failure::Export, reason);
 }
 
 void Exports::save(const QString& file, std::function<void()> write) {
-  run(std::move(write), [this, file] { showSaved(file); });
+  work_.request([write = std::move(write)](const BackgroundWork::Run&) { write(); },
+                [this, file] { showSaved(file); },
+                [this](const LiveText& reason) { showFailure(reason); });
 }
 
 void Exports::copy(std::function<QImage()> draw, const LiveText& copied) {
-  const auto image = std::make_shared<QImage>();
-  run([draw = std::move(draw), image] { *image = draw(); },
-      [this, image, copied] {
-        QGuiApplication::clipboard()->setImage(*image);
-        parts_.status.showMessage(copied);
-        emit exported({});
-      });
+  work_.request([draw = std::move(draw)](const BackgroundWork::Run&) { return draw(); },
+                [this, copied](const QImage& image) {
+                  QGuiApplication::clipboard()->setImage(image);
+                  showSuccess(copied);
+                },
+                [this](const LiveText& reason) { showFailure(reason); });
 }
 
 void Exports::copyPicture() {
@@ -170,7 +180,7 @@ void Exports::copyPicture() {
       [shot = *shot()] {
         return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
       },
-      [] { return tr("The picture is on the clipboard"); });
+      copiedText);
 }
 
 void Exports::askPicture() {
@@ -184,11 +194,6 @@ void Exports::askPicture() {
 void Exports::savePicture(const QString& file) {
   if (!hasPicture()) return;
   save(file, [shot = *shot(), file] { writeContact(file, shot); });
-}
-
-void Exports::showSaved(const QString& file) {
-  parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
-  emit exported(file);
 }
 
 CurveCommandOptions Exports::shownCurves() const {

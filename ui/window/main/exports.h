@@ -1,7 +1,8 @@
 // Exports of the window: the contact and the curve as they are shown, in a file or on the
 // clipboard; the export dialog; and the shell commands of `asperity` that make picture and curve
 // without the window. Files are written in the background, one after the other. Owned by the main
-// window; GUI thread. Failure: the reason appears in the message bar.
+// window; GUI thread. What the diagrams of the tabs save is reported in the same way. Failure: the
+// reason appears in the message bar.
 #pragma once
 
 #include <QImage>
@@ -64,8 +65,7 @@ class Exports : public QObject {
   /// Sets the source of the curves that are shown.
   void setCurves(const CurveCommands& curves) { curves_ = &curves; }
 
-  /// Saves the contact as it is shown, with its title, as .png, .svg or .pdf, in the background;
-  /// exported() or an error in the message bar follows.
+  /// Saves the contact as it is shown, with its title, as .png, .svg or .pdf, in the background.
   void savePicture(const QString& file);
 
   /// Opens the export dialog for this kind.
@@ -73,22 +73,19 @@ class Exports : public QObject {
   /// Sets the program that the dialog runs, instead of this one.
   void setProgram(const QString& program) { program_ = program; }
 
-  /// These functions work in the background and then say so in the status line, or show the error:
-  /// `write` makes the file, `draw` the picture for the clipboard.
+  /// These functions work in the background: `write` makes the file, `draw` the picture for the
+  /// clipboard. The status line then shows the result, or the message bar the error.
   void save(const QString& file, std::function<void()> write);
   void copy(std::function<QImage()> draw, const LiveText& copied);
-
- signals:
-  /// Emitted when a picture is on the clipboard (empty), or a picture or a table in this file.
-  void exported(const QString& file);
 
  private:
   std::optional<ContactShot> shot() const;
   bool hasPicture() const;
   void copyPicture();
   void askPicture();
-  void run(std::function<void()> work, std::function<void()> done);
   void showSaved(const QString& file);
+  void showSuccess(const LiveText& text);
+  void showFailure(const LiveText& reason) const;
   void enableCommands(Commands& commands) const;
   CurveCommandOptions shownCurves() const;
   RenderCommandOptions shownOptions() const;

@@ -13,7 +13,6 @@
 #include <QMimeData>
 #include <QSplitter>
 #include <QStatusBar>
-#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 
@@ -46,21 +45,18 @@
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/session_poll.h"
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 #include "ui/window/main/window_pages.h"
-#include "ui/window/main/window_visibility.h"
+#include "ui/window/main/work_indicator.h"
 #include "ui/window/map/map_panel.h"
 
 namespace asperity {
 
 namespace {
-
-constexpr int kPollInterval = 16;  // ms, 60 times a second
-constexpr int kIdlePoll = 100;     // ms, while the run is paused and nothing is computed
-constexpr int kHiddenPoll = 250;   // ms, while the window is hidden
 
 /// Translates the dock's own buttons, whose texts Qt sets only once. The title bar covers them, but
 /// screen readers find them.
@@ -130,17 +126,8 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   resize(1280, 800);
   windowLayout_->keepAsDefault();
 
-  poll_ = new QTimer(this);
-  poll_->setTimerType(Qt::PreciseTimer);
-  connect(poll_, &QTimer::timeout, this, [this] {
-    session_->poll();
-    updatePollInterval();
-  });
-  connect(session_, &Session::commandSent, this, &MainWindow::updatePollInterval);
-  visibility_ = new WindowVisibility(*this);
-  connect(visibility_, &WindowVisibility::changed, this, &MainWindow::updateVisibility);
+  new SessionPoll(*session_, *pages_, *this);
   session_->begin();
-  poll_->start(kPollInterval);
 }
 
 /// The layout restores the font of other windows while all parts of this one still exist. Parts
@@ -376,30 +363,15 @@ void MainWindow::connectFrames() {
     // The space bar presses the buttons of the other page; it does not pause the run behind it.
     for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset", "describe"}))
       action->setEnabled(!areViewsCovered);
-    updateVisibility();
     if (!areViewsCovered) canvas_->setFocus();
   });
-  connect(status_, &StatusLine::stopRequested, session_, &Session::stopCurve);
-  connect(status_, &StatusLine::restartRequested, this, [this] {
+  connect(&status_->work(), &WorkIndicator::stopRequested, session_, &Session::stopCurve);
+  connect(&status_->work(), &WorkIndicator::restartRequested, this, [this] {
     tabs_->beginCurve();
     session_->startCurve();
   });
-  connect(status_, &StatusLine::backRequested, this, [this] { document_->history().undo(); });
-}
-
-/// Pauses the moving picture while the window is hidden; curves are still computed.
-void MainWindow::updateVisibility() {
-  updatePollInterval();
-  session_->setVisible(visibility_->isVisible() && pages_->isShowingViews());
-}
-
-/// Sets the interval of the timer: an idle window polls rarely, so that it takes almost no
-/// processor time.
-void MainWindow::updatePollInterval() {
-  if (!poll_) return;
-  const bool isVisible = !visibility_ || visibility_->isVisible();
-  const int interval = !isVisible ? kHiddenPoll : session_->isIdle() ? kIdlePoll : kPollInterval;
-  if (poll_->interval() != interval) poll_->setInterval(interval);
+  connect(&status_->work(), &WorkIndicator::backRequested, this,
+          [this] { document_->history().undo(); });
 }
 
 void MainWindow::connectTime() {
@@ -442,16 +414,9 @@ void MainWindow::connectCurve() {
   const auto succeeds = [this](MessageBar::Failure source) {
     return [this, source] { messages_->end(source); };
   };
-  const auto showSaved = [this](const QString& file, const QString& copied) {
-    status_->showMessage(file.isEmpty() ? copied : tr("Saved %1").arg(QFileInfo(file).fileName()));
-  };
-  connect(documents_, &DocumentCommands::saved, this,
-          [showSaved](const QString& file) { showSaved(file, {}); });
-  connect(tabs_, &SceneTabs::saved, this, [this, showSaved](const QString& file) {
-    messages_->end(MessageBar::Failure::Export);
-    showSaved(file, tr("The picture is on the clipboard"));
+  connect(documents_, &DocumentCommands::saved, this, [this](const QString& file) {
+    status_->showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
   });
-  connect(tabs_, &SceneTabs::failed, this, fails(MessageBar::Failure::Export));
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
     const bool isVelocity = scene.sweep.isOfVelocity();

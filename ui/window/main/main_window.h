@@ -15,7 +15,6 @@
 
 class QDockWidget;
 class QSplitter;
-class QTimer;
 
 namespace asperity {
 
@@ -42,7 +41,6 @@ class Tour;
 class TimeBar;
 class TourBar;
 class WindowLayout;
-class WindowVisibility;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -95,8 +93,6 @@ class MainWindow : public QMainWindow {
   void connectFrames();
   void connectCurve();
   void connectTime();
-  void updateVisibility();
-  void updatePollInterval();
   void requestFields();
   void showScene(const Scene& scene, bool isOpened);
   void showDescription();
@@ -127,8 +123,6 @@ class MainWindow : public QMainWindow {
   HelpCommands* help_ = nullptr;
   Tour* tour_ = nullptr;
   Lessons* lessons_ = nullptr;
-  WindowVisibility* visibility_ = nullptr;
-  QTimer* poll_ = nullptr;
   bool wasPlaying_ = false;               // before the slider of time was dragged
   std::optional<std::string> described_;  // the last text in the description bar
 };

@@ -132,9 +132,12 @@ void SceneTabs::addPage(QWidget& widget, Title title, Title brief) {
   if (commands_) addKey(index);
   QList<DiagramView*> views = widget.findChildren<DiagramView*>();
   if (auto* view = qobject_cast<DiagramView*>(&widget)) views += view;
-  for (DiagramView* view : std::as_const(views)) {
-    connect(view, &DiagramView::saved, this, &SceneTabs::saved);
+  for (DiagramView* view : std::as_const(views))
     connect(view, &DiagramView::failed, this, &SceneTabs::failed);
+  for (DiagramFiles* files : widget.findChildren<DiagramFiles*>()) {
+    connect(files, &DiagramFiles::saved, this, &SceneTabs::saved);
+    connect(files, &DiagramFiles::copied, this, &SceneTabs::copied);
+    connect(files, &DiagramFiles::failed, this, &SceneTabs::failed);
   }
   if (isVisible()) fitTitles();
 }
@@ -320,7 +323,7 @@ void SceneTabs::showScene(const Scene& scene) {
   motion_->showScene(scene);
   plan_->showScene(scene);
   spectrum_->show([scene] { return spectrumSheet(scene); },
-                  {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});
+                  {"spectrum", [scene] { return pictureOrigin("surface", scene); }});
   material_->show(
       [scene, excitation = excitation_] { return excitationSheet(scene, *excitation->get(scene)); },
       {"material", [scene] { return pictureOrigin("material", scene); },
@@ -342,10 +345,10 @@ void SceneTabs::showScene(const Scene& scene) {
 
 void SceneTabs::showFrame(const Frame& frame) {
   if (frame.transient && frame.sceneNumber == session_.sceneNumber()) motion_->showFrame(frame);
-  if (statistics_->isVisible())
-    statistics_->show(
-        [shown = session_.frame()] { return statisticsSheet(*shown); },
-        {"statistics", [scene = *frame.scene] { return pictureOrigin("statistics", scene); }, {}});
+  if (!statistics_->isVisible()) return;
+  const std::shared_ptr<const Frame> shown = session_.frame();
+  statistics_->show([shown] { return statisticsSheet(*shown); },
+                    {"statistics", [shown] { return pictureOrigin("statistics", *shown->scene); }});
 }
 
 /// A diagram of the previous scene would be taken for that of the present one.

@@ -90,8 +90,9 @@ class SceneTabs : public QTabWidget {
 
  signals:
   void fieldsChanged();
-  /// Emitted when a diagram was saved, or put on the clipboard (no file), or could not be.
+  /// Emitted when a diagram was saved or copied, or could not be drawn, saved or copied.
   void saved(const QString& file);
+  void copied();
   void failed(const asperity::LiveText& reason);
 
  protected:

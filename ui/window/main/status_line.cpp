@@ -4,11 +4,9 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
-#include <QProgressBar>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -23,47 +21,10 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/main/session.h"
+#include "ui/window/main/status_reading.h"
+#include "ui/window/main/work_indicator.h"
 
 namespace asperity {
-
-/// A reading in whole and in brief, for a narrow window.
-using StatusForms = std::array<QString, 2>;
-
-/// A reading, which keeps room for other texts and is never narrower than its own.
-class StatusReading : public QLabel {
- public:
-  using QLabel::QLabel;
-
-  void setForms(const StatusForms& forms) {
-    forms_ = forms;
-    setText(forms_[isBrief_]);
-  }
-  void setForm(const QString& only) { setForms({only, only}); }
-  void setBrief(bool isBrief) {
-    isBrief_ = isBrief;
-    if (text() != forms_[isBrief]) setText(forms_[isBrief]);
-  }
-  /// Keeps the room of a number in each form, or of the widest of these texts.
-  void reserve(const StatusForms& forms) {
-    reserved_ = {widestText(*this, {forms[0]}), widestText(*this, {forms[1]})};
-    updateGeometry();
-  }
-  void reserve(const QStringList& texts) {
-    reserved_.fill(widestText(*this, texts));
-    updateGeometry();
-  }
-  QSize sizeHint() const override {
-    return QLabel::sizeHint().expandedTo({reserved_[isBrief_], 0});
-  }
-  QSize minimumSizeHint() const override { return QLabel::sizeHint(); }
-  int wholeWidth() const { return std::max(reserved_[0], widestText(*this, {forms_[0]})); }
-
- private:
-  StatusForms forms_;
-  std::array<int, 2> reserved_{};
-  bool isBrief_ = false;
-};
 
 namespace {
 
@@ -71,9 +32,6 @@ constexpr int kMessageTime = 5000;     // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
 constexpr int kMeanGap = 10;           // pixels after the mean, beside the usual spacing
-constexpr int kWorkSpacing = 4;        // pixels between the progress bar and its button
-
-const QString kStopSign = QStringLiteral("✕"), kRestartSign = QStringLiteral("↻");
 
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
@@ -161,20 +119,6 @@ QString missingVelocityReason(const Frame& frame) {
   return isRough ? QString() : StatusLine::tr("No velocity v̄ here: the line has no roughness.");
 }
 
-Work currentWork(const Session& session) {
-  Work work;
-  // The last rate is that of another scene's curve.
-  work.simulationsPerSecond = session.isRefused() ? 0 : session.simulationsPerSecond();
-  work.progress = session.friction().progress();
-  if (session.isWaiting())
-    work.state = Work::State::Waiting;
-  else if (session.averaging() == Session::Averaging::Running)
-    work.state = Work::State::Running;
-  else if (session.averaging() == Session::Averaging::Stopped && !session.isRefused())
-    work.state = Work::State::Stopped;
-  return work;
-}
-
 }  // namespace
 
 double dimensionlessForce(const Frame& frame) {
@@ -217,10 +161,15 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   messageTimer_ = new QTimer(this);
   messageTimer_->setSingleShot(true);
   connect(messageTimer_, &QTimer::timeout, this, [this] { showMessage({}); });
-  addWork(*line);
+  work_ = new WorkIndicator;
+  line->addWidget(work_);
+  // The views above must not move when a curve begins or ends.
+  line->addStrut(work_->sizeHint().height());
   backend_ = addReading(*line, "factBackend");
   rate_ = addReading(*line, "factRate");
   simulations_ = addReading(*line, "factSimulations");
+  for (StatusReading* reading : {simulations_, rate_})
+    reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   showTips();
   reserveWidths();
   showWork({});
@@ -290,23 +239,16 @@ void StatusLine::reserveWidths() {
   roomForNotes_ = notes_->sizeHint().width();
   notesWidth_ = isOfMotion_ ? roomForNotes_ : 0;
   notes_->setText(notes);
-  for (StatusReading* reading : {simulations_, rate_})
-    reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  for (QWidget* widget : Widgets{progress_, stop_}) {
-    QSizePolicy policy = widget->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    widget->setSizePolicy(policy);
-  }
 }
 
 /// Updates the texts. The readings follow with the next frame, which the main window shows again.
 void StatusLine::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && stop_) reserveWidths();
+  if (event->type() == QEvent::FontChange && simulations_) reserveWidths();
   if (event->type() != QEvent::LanguageChange) return;
   showTips();
   reserveWidths();
-  showWork(work_);
+  showWork(work_->work());
   if (!backendName_.isEmpty()) showDrawing(framesPerSecond_, backendName_);
 }
 
@@ -321,54 +263,13 @@ void StatusLine::monitor(const Session& session, const ContactCanvas& canvas) {
   drawing->start(kDrawingInterval);
   auto* work = new QTimer(this);
   connect(work, &QTimer::timeout, this, [this, &session] {
-    if (const Work present = currentWork(session); present != work_) showWork(present);
+    if (const Work present = presentWork(session); present != work_->work()) showWork(present);
   });
   work->start(kWorkInterval);
 }
 
-/// Adds the progress bar. It is thin, and visible only during work, but its height is kept: the
-/// views above must not move when a curve begins or ends.
-void StatusLine::addWork(QHBoxLayout& line) {
-  progress_ = thinProgress("workProgress", 90);
-  stop_ = named<QToolButton>("workStop");
-  stop_->setAutoRaise(true);
-  stop_->setFocusPolicy(Qt::TabFocus);
-  connect(stop_, &QToolButton::clicked, this, &StatusLine::workButtonClicked);
-  auto* workLayout = new QHBoxLayout;
-  workLayout->setSpacing(kWorkSpacing);
-  workLayout->addWidget(progress_);
-  workLayout->addWidget(stop_);
-  line.addLayout(workLayout);
-  QSize size;
-  for (const QString& sign : {kStopSign, kRestartSign}) {
-    stop_->setText(sign);
-    size = size.expandedTo(stop_->sizeHint());
-  }
-  stop_->setFixedSize(size);
-  line.addStrut(size.height());
-}
-
-void StatusLine::workButtonClicked() {
-  if (work_.state == Work::State::Running) emit stopRequested();
-  if (work_.state == Work::State::Stopped) emit restartRequested();
-  if (work_.state == Work::State::Waiting) emit backRequested();
-}
-
 void StatusLine::showWork(const Work& work) {
-  work_ = work;
-  const bool isWaiting = work.state == Work::State::Waiting;
-  const bool isStopped = work.state == Work::State::Stopped;
-  progress_->setRange(0, isWaiting ? 0 : 1000);
-  progress_->setValue(static_cast<int>(1000 * work.progress));
-  progress_->setAccessibleName(isWaiting ? tr("making the line") : tr("progress of the curve"));
-  stop_->setText(isStopped ? kRestartSign : kStopSign);
-  const QString text = isWaiting   ? tr("Making the line… Back to the previous scene")
-                       : isStopped ? tr("The curve is not complete: average it again")
-                                   : tr("Stop averaging the curve");
-  stop_->setToolTip(text);
-  stop_->setAccessibleName(text);
-  progress_->setVisible(work.state != Work::State::Idle);
-  stop_->setVisible(work.state != Work::State::Idle);
+  work_->showWork(work);
   simulations_->setForm(work.simulationsPerSecond > 0
                             ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
                             : QString());
@@ -432,16 +333,14 @@ void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
   const QMargins margins = layout()->contentsMargins();
   int available = width() - margins.left() - margins.right() - kMeanGap;
-  const int work = progress_->width() + kWorkSpacing + stop_->width() + layout()->spacing();
+  const int work = work_->sizeHint().width() + layout()->spacing();
   chooseForms(available - work);
   // A message takes the place of work that does not run, and of the less important readings.
   const bool hasMessage = messageTimer_->isActive();
-  const bool keepsWork = !hasMessage || work_.state != Work::State::Idle;
-  for (QWidget* part : Widgets{progress_, stop_}) {
-    QSizePolicy policy = part->sizePolicy();
-    policy.setRetainSizeWhenHidden(keepsWork);
-    part->setSizePolicy(policy);
-  }
+  const bool keepsWork = !hasMessage || work_->work().state != Work::State::Idle;
+  QSizePolicy policy = work_->sizePolicy();
+  policy.setRetainSizeWhenHidden(keepsWork);
+  work_->setSizePolicy(policy);
   if (keepsWork) available -= work;
   if (hasMessage)
     available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();

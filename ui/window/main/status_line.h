@@ -1,7 +1,6 @@
 // The readings in the status bar: regime, friction with its error, the paper's two dimensionless
 // numbers, what a user must know about how far they hold, the rates and methods of computing and
-// drawing; and the progress of the friction curve with the button that stops it. They come from the
-// present frame. GUI thread.
+// drawing; and the progress of the friction curve. They come from the present frame. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -11,7 +10,6 @@
 #include "ui/panels/labels.h"
 
 class QHBoxLayout;
-class QProgressBar;
 class QTimer;
 class QToolButton;
 
@@ -20,17 +18,9 @@ namespace asperity {
 class ContactCanvas;
 class Session;
 class StatusReading;
+class WorkIndicator;
 struct CurveReading;
-
-/// The present work on the curve or on the line.
-struct Work {
-  enum class State { Idle, Running, Stopped, Waiting };  // Waiting: for the scene's first frame
-  State state = State::Idle;
-  double progress = 0;              // 0 to 1
-  double simulationsPerSecond = 0;  // 0: not known
-
-  bool operator==(const Work&) const = default;
-};
+struct Work;
 
 class StatusLine : public QWidget {
   Q_OBJECT
@@ -48,17 +38,12 @@ class StatusLine : public QWidget {
   /// Fades the readings while they belong to the previous scene.
   void fadeReadings(bool fades);
   void showWork(const Work& work);
+  WorkIndicator& work() { return *work_; }
 
   /// Shows a message for a few seconds instead of the readings at the right.
   void showMessage(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);
-
- signals:
-  /// Emitted by the button of the present work, as showWork() left it.
-  void stopRequested();
-  void restartRequested();
-  void backRequested();  // from the state Waiting
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -70,13 +55,10 @@ class StatusLine : public QWidget {
   void showFrictionTip();
   void showVelocity(const Frame& frame);
   void showNotes(const CurveReading& reading);
-  void addWork(QHBoxLayout& line);
-  void workButtonClicked();
   void reserveWidths();
   void fitReadings();
   void chooseForms(int available);
 
-  Work work_;
   bool isOfMotion_ = false, isSettling_ = false;  // the frame that is shown
   int framesPerSecond_ = 0;
   ElidedLabel* message_;
@@ -91,8 +73,7 @@ class StatusLine : public QWidget {
   StatusReading* force_;
   StatusReading* velocity_;
   StatusReading* settling_;
-  QProgressBar* progress_;
-  QToolButton* stop_;
+  WorkIndicator* work_;
   StatusReading* simulations_;
   StatusReading* rate_;
   StatusReading* backend_;

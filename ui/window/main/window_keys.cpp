@@ -25,6 +25,7 @@
 #include "ui/panels/labels.h"
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/map/map_view.h"
 
 namespace asperity {
 
@@ -349,7 +350,7 @@ bool needs(const QWidget& widget, const QKeyEvent& event) {
   const int key = event.key();
   if (modifiers == Qt::ShiftModifier && isArrow(key))
     return qobject_cast<const QAbstractSlider*>(&widget) ||
-           qobject_cast<const PredictionPoint*>(&widget);
+           qobject_cast<const PredictionPoint*>(&widget) || qobject_cast<const MapView*>(&widget);
   if (modifiers != Qt::NoModifier) return false;
   if (qobject_cast<const QAbstractButton*>(&widget)) return isSpace(key);
   if (qobject_cast<const QComboBox*>(&widget)) return isSpace(key) || isEnd(key);

@@ -141,7 +141,7 @@ MapPanel::MapPanel(QWidget* parent)
   connect(x_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
   connect(y_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
   connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { showMap(); });
-  connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
+  connect(save_, &QPushButton::clicked, &view_->files(), &DiagramFiles::saveAs);
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
   connect(view_, &MapView::pointedAt, this,
           [this](double x, double y) { view_->setReading(readingAt(x, y)); });
@@ -306,15 +306,17 @@ void MapPanel::showMap() {
   showTips();
   showProgress();
   if (!map_) return;
-  save_->setEnabled(map_->isFinal);  // a stage has fewer lines than a file of it would state
   const std::string shown = quantity().toStdString();
   showCross();
   const auto origin = [map = map_, shown] { return mapProvenance(*map, shown); };
-  view_->show(
-      [map = map_, shown] { return mapSheetWithSection(*map, shown); },
-      {"map", [origin] { return provenanceLine(origin()); },
-       [map = map_, shown, origin] { return provenanceComment(origin()) + mapCsv(*map, shown); },
-       [map = map_, shown] { return mapSheet(*map, shown); }});
+  DiagramExport saved;
+  if (map_->isFinal)  // a stage has fewer lines than a file of it would state
+    saved = {
+        "map", [origin] { return provenanceLine(origin()); },
+        [map = map_, shown, origin] { return provenanceComment(origin()) + mapCsv(*map, shown); },
+        [map = map_, shown] { return mapSheet(*map, shown); }};
+  view_->show([map = map_, shown] { return mapSheetWithSection(*map, shown); }, saved);
+  save_->setEnabled(!view_->files().isEmpty());
 }
 
 void MapPanel::showCross() {

@@ -24,6 +24,7 @@ void MapView::setCross(double x, double y) {
   y_ = y;
   hasCross_ = true;
   setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);  // the arrow keys move the cross
   update();
 }
 

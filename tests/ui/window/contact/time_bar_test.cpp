@@ -446,8 +446,8 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
   // What is saved are the samples that are shown, but for the one at time 0, which is the beginning
   // of the curves and has the values of the next one.
   QTemporaryDir folder;
-  QSignalSpy saved(&motion.stripFiles(), &DiagramView::saved);
-  QSignalSpy loopSaved(&motion.loopFiles(), &DiagramView::saved);
+  QSignalSpy saved(&motion.stripFiles(), &DiagramFiles::saved);
+  QSignalSpy loopSaved(&motion.loopFiles(), &DiagramFiles::saved);
   for (const char* name : {"/a.csv", "/a.png", "/a.svg"})
     motion.stripFiles().save(folder.path() + name);
   motion.loopFiles().save(folder.path() + "/loop.pdf");
@@ -464,8 +464,13 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
   EXPECT_EQ(rows, samples.size()) << "with the names of the columns";
   EXPECT_GT(QFileInfo(folder.path() + "/a.png").size(), 5000);
   EXPECT_GT(QFileInfo(folder.path() + "/loop.pdf").size(), 1000);
-  openMotion(SlidingKind::Step);
+  // The samples of the previous motion are no longer on the screen, so they cannot be saved.
+  Scene other = smallScene();
+  other.sliding.kind = SlidingKind::Step;
+  window_.document().open(other);
   EXPECT_TRUE(motion.loop().isHidden());
+  EXPECT_TRUE(motion.stripFiles().isEmpty());
+  EXPECT_TRUE(waitFor([&] { return !motion.stripFiles().isEmpty(); }));
 }
 
 /// The axis of velocities does not jump when the velocity does.

@@ -19,6 +19,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
+#include "ui/window/export/export_size_fields.h"
 #include "ui/window/figures/figures_page.h"
 
 namespace asperity {
@@ -146,6 +147,15 @@ TEST_F(ExportDialogTest, AFilmHasTheBytesOfItsCommand) {
   EXPECT_TRUE(command().contains("--size 320x200"));
   EXPECT_TRUE(command().contains("--duration 0.4 --fps 10 --cycles 0.5"));
   expectSameBytes("film.gif");
+}
+
+/// Marks between thousands are no decimal signs, here as in every other entry of the window.
+TEST_F(ExportDialogTest, NumbersMayHaveMarksBetweenThousands) {
+  openDialog(ExportKind::Film);
+  enter("exportWidth", "1,280");
+  enter("exportDuration", "1,200");
+  EXPECT_TRUE(command().contains("--size 1280x")) << command().toStdString();
+  EXPECT_TRUE(command().contains("--duration 1200 ")) << command().toStdString();
 }
 
 TEST_F(ExportDialogTest, AMotionHasItsOwnContentsAndSpeeds) {
@@ -471,8 +481,8 @@ TEST_F(ExportDialogTest, AnotherUnitIsTheSameSize) {
   enter("exportHeight", "600");
   choose("exportUnit", "mm");
   EXPECT_NEAR(in<QLineEdit>("exportWidth").text().toDouble(), 1219 * 25.4 / 96, 0.001);
-  EXPECT_NEAR(dialog_->form().pixels().width(), 1219, 0.01);
-  EXPECT_NEAR(dialog_->form().pixels().height(), 600, 0.01);
+  EXPECT_NEAR(dialog_->form().size().pixels().width(), 1219, 0.01);
+  EXPECT_NEAR(dialog_->form().size().pixels().height(), 600, 0.01);
   choose("exportUnit", "");
   EXPECT_EQ(in<QLineEdit>("exportWidth").text(), "1219");
   EXPECT_EQ(in<QLineEdit>("exportHeight").text(), "600");

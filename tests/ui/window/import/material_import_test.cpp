@@ -291,9 +291,9 @@ TEST_F(MaterialImportTest, TheTabFollowsTheVelocity) {
   window_.document().edit(fast);
   EXPECT_TRUE(waitFor([&] { return view.isPainted() && view.image() != slow; }));
 
-  QSignalSpy saved(&view, &DiagramView::saved);
+  QSignalSpy saved(&view.files(), &DiagramFiles::saved);
   for (const char* name : {"material.png", "material.svg", "material.csv"}) {
-    view.save(folder_.filePath(name));
+    view.files().save(folder_.filePath(name));
     ASSERT_TRUE(waitFor([&] { return !saved.isEmpty(); })) << name;
     saved.clear();
     EXPECT_TRUE(QFile::exists(folder_.filePath(name))) << name;
@@ -302,7 +302,7 @@ TEST_F(MaterialImportTest, TheTabFollowsTheVelocity) {
   ASSERT_TRUE(table.open(QIODevice::ReadOnly));
   EXPECT_TRUE(table.readLine().startsWith("# asperity: "));
   EXPECT_TRUE(table.readLine().startsWith("frequency,storage_modulus,loss_modulus"));
-  view.save("/nowhere/material.png");
+  view.files().save("/nowhere/material.png");
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
 }
 

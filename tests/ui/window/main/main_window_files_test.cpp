@@ -60,18 +60,11 @@ TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
 TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   const QTemporaryDir folder;
   ASSERT_TRUE(waitForFrame());
-  const auto save = [&](const QString& file, bool isSaved) {
-    QSignalSpy saved(&window_.exports(), &Exports::exported);
-    window_.exports().savePicture(file);
-    ASSERT_TRUE(
-        waitFor([&] { return saved.count() == 1 || window_.messages().text().contains(file); }));
-    EXPECT_EQ(saved.count() == 1, isSaved);
-  };
   const QString nowhere = folder.filePath("no_such_folder/picture.png");
-  save(nowhere, false);
+  EXPECT_FALSE(savePicture(nowhere));
   EXPECT_TRUE(window_.messages().isVisible());
   EXPECT_FALSE(window_.documentCommands().saveTo(folder.filePath("no_such_folder/scene.json")));
-  save(folder.filePath("picture.png"), true);
+  EXPECT_TRUE(savePicture(folder.filePath("picture.png")));
   EXPECT_TRUE(window_.messages().isVisible()) << "of the scene that was not saved";
   EXPECT_TRUE(window_.documentCommands().saveTo(folder.filePath("scene.json")));
   EXPECT_FALSE(window_.messages().isVisible());
@@ -79,9 +72,9 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   window_.document().edit(refusedScene());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   const QString complaint = window_.messages().text();
-  save(nowhere, false);
+  EXPECT_FALSE(savePicture(nowhere));
   EXPECT_NE(window_.messages().text(), complaint);
-  save(folder.filePath("picture.png"), true);
+  EXPECT_TRUE(savePicture(folder.filePath("picture.png")));
   EXPECT_EQ(window_.messages().text(), complaint) << "the scene still cannot run";
   EXPECT_TRUE(window_.messages().isVisible());
 }
@@ -92,7 +85,7 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
   QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
   const Scene changed = window_.panel().scene();
   ASSERT_TRUE(window_.documentCommands().saveTo(file));
-  EXPECT_EQ(control<QLabel>("statusMessage").text(), "Saved scene.json");
+  EXPECT_EQ(said(), "Saved scene.json");
   window_.document().open(Scene{});
   ASSERT_TRUE(open(file));
   EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
@@ -107,16 +100,13 @@ TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
   scene.title = "from a picture";
   writePicture(file.toStdString(), DrawList{}, {"a title", pictureOrigin("render", scene)});
 
-  QSignalSpy reads(&window_.documentCommands(), &DocumentCommands::sceneRead);
   drop(file);
-  ASSERT_TRUE(waitFor([&] { return reads.count() == 1; }));
-  EXPECT_EQ(session().scene().title, "from a picture");
+  ASSERT_TRUE(waitFor([&] { return session().scene().title == "from a picture"; }));
   EXPECT_EQ(window_.windowTitle(), "from a picture[*] – Asperity");
   EXPECT_EQ(window_.document().file(), "");
 
   drop(folder.filePath("gone.png"));
-  ASSERT_TRUE(waitFor([&] { return reads.count() == 2; }));
-  EXPECT_TRUE(window_.messages().text().contains("gone.png"));
+  ASSERT_TRUE(waitFor([&] { return window_.messages().text().contains("gone.png"); }));
   EXPECT_EQ(session().scene().title, "from a picture");
 }
 
@@ -162,12 +152,12 @@ TEST_F(MainWindowTest, ALessonIsTheNewestOpeningToo) {
   const QTemporaryDir folder;
   std::ofstream(folder.filePath("scene").toStdString()) << writeScene(smallScene());
   std::ofstream(folder.filePath("lesson").toStdString()) << R"({"schema": "asperity-lesson/1"})";
-  QSignalSpy reads(&window_.documentCommands(), &DocumentCommands::sceneRead);
+  const QSignalSpy opened(&window_.document(), &SceneDocument::opening);
   window_.documentCommands().openFile(folder.filePath("scene"));
   window_.documentCommands().openFile(folder.filePath("lesson"));
   EXPECT_TRUE(window_.messages().text().contains("title"));
   QTest::qWait(300);
-  EXPECT_TRUE(reads.isEmpty());
+  EXPECT_TRUE(opened.isEmpty());
 }
 
 /// Somebody's picture does not make the window read files elsewhere, or take the whole memory,

@@ -22,6 +22,7 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/main/status_line.h"
+#include "ui/window/main/work_indicator.h"
 
 namespace asperity {
 namespace {
@@ -635,15 +636,15 @@ TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
 TEST(StatusLine, WaitingCanBeLeft) {
   StatusLine line;
   int back = 0;
-  QObject::connect(&line, &StatusLine::backRequested, [&] { ++back; });
+  QObject::connect(&line.work(), &WorkIndicator::backRequested, [&] { ++back; });
   line.showWork({Work::State::Waiting, 0, 0});
   auto* button = line.findChild<QToolButton*>("workStop");
-  EXPECT_FALSE(button->isHidden());
+  EXPECT_FALSE(line.work().isHidden());
   EXPECT_TRUE(button->toolTip().contains("Making the line"));
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(back, 1);
   line.showWork({});
-  EXPECT_TRUE(button->isHidden());
+  EXPECT_TRUE(line.work().isHidden());
 }
 
 /// Before the window is there, which looks for them; gone after it.

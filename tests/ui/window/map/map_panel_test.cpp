@@ -81,6 +81,20 @@ TEST_F(MapPanelTest, SaysThatTheFirstMapIsBeingComputed) {
   EXPECT_TRUE(panel_.findChild<QLabel*>("mapProgress")->text().endsWith("100 %"));
 }
 
+/// A stage is the mean of fewer lines than its scene states, so a file of it would be wrong.
+TEST_F(MapPanelTest, AMapCanBeSavedOnceItIsComplete) {
+  Scene many = scene_;
+  many.surface.elements = 512;
+  many.ensemble.realizations = 8;
+  panel_.showScene(many);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return panel_.map() && !panel_.map()->isFinal; }, kMapPatience));
+  EXPECT_TRUE(panel_.view().files().isEmpty());
+  EXPECT_EQ(panel_.view().focusPolicy(), Qt::StrongFocus) << "its cross moves by keys";
+  ASSERT_TRUE(waitForMap());
+  EXPECT_FALSE(panel_.view().files().isEmpty());
+}
+
 /// All cells have the stated lines; the document keeps its target.
 TEST_F(MapPanelTest, ASceneWithATargetHasAMapOfItsStatedLines) {
   ASSERT_TRUE(waitForMap());
