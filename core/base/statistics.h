@@ -47,10 +47,11 @@ inline double upperMedian(std::vector<double> values) {
 
 /// Returns the indices of the values in ascending order, those of equal values as they are. No
 /// value is NaN.
-inline std::vector<std::size_t> ascendingOrder(std::span<const double> values) {
+template <class Values>
+std::vector<std::size_t> ascendingOrder(const Values& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [values](std::size_t i) { return values[i]; });
+  std::ranges::stable_sort(order, {}, [&values](std::size_t i) { return values[i]; });
   return order;
 }
 
