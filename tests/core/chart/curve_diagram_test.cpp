@@ -431,7 +431,7 @@ TEST(CurveDiagram, AMeasuredTableKeepsItsColourAndTellsItsTemperaturesApart) {
   };
   const std::vector<DiagramSeries> before = measuredSeries();
   ASSERT_EQ(before.size(), 3U);
-  EXPECT_THAT(before[0].name.english(), testing::HasSubstr("278"));
+  EXPECT_THAT(before[0].name.english(), testing::HasSubstr("5.0 \u00B0C"));
   EXPECT_NE(before[0].mark, before[1].mark);
   EXPECT_NE(before[1].mark, before[2].mark);
   std::vector<int> rows;
@@ -465,8 +465,8 @@ TEST(CurveDiagram, AMeasuredTableTellsItsLoadsApart) {
   for (const DiagramSeries& series : sheet.diagrams.front().series)
     if (series.id == kMeasuredCurves) found.push_back(series);
   ASSERT_EQ(found.size(), 4U);
-  EXPECT_EQ(found[0].name.english(), "friction, 100 kPa, 278.15 K");
-  EXPECT_EQ(found[3].name.english(), "friction, 350 kPa, 293.15 K");
+  EXPECT_EQ(found[0].name.english(), "friction, 100 kPa, 5.0 \u00B0C");
+  EXPECT_EQ(found[3].name.english(), "friction, 350 kPa, 20.0 \u00B0C");
   EXPECT_EQ(found[0].colour, found[1].colour);
   EXPECT_NE(found[0].colour, found[2].colour);
   EXPECT_EQ(found[0].mark, found[2].mark);
