@@ -19,7 +19,7 @@ void addGrid(std::int64_t elements, const Contact& contact) {
   const auto scalar = [=]() -> Body {
     const PreparedProfile& line = preparedProfile({elements});
     const double force = forceForContact(line, contact.fraction);
-    return [&line, force] { return scalarSweep(line, force, {&kSlow, 1}, false); };
+    return [&line, force] { return scalarSweep(line, force, {&kSlow, 1}); };
   };
   addCase(gridName("scalar", elements, contact.name), scalar, Clock::Cpu,
           elements >= 100000 ? 3 : 0, elements >= 100000 ? 1e-3 : 0);
