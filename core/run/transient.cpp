@@ -17,7 +17,7 @@ constexpr double kOrder = 1.8;  // order of friction in the spacing, as measured
 constexpr std::size_t kMinNodes = 8;
 /// Factors from the differences to the error that is not exceeded in 95 of 100 random scenes: with
 /// lines of two coarser spacings, and with one line.
-constexpr double kFactorOfTwo = 1.2, kFactorOfOne = 1.6;
+constexpr double kFactorOfTwo = 1.9, kFactorOfOne = 1.6;
 constexpr std::size_t kRecent = 16;  // samples
 
 TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
