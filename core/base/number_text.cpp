@@ -8,6 +8,8 @@
 #include <iterator>
 #include <string>
 
+#include "core/base/units.h"
+
 namespace asperity {
 namespace {
 
@@ -66,6 +68,10 @@ std::string printedDecimals(double value, int decimals) {
   if (text.find_first_of("123456789") == std::string::npos && text[0] == '-') text.erase(0, 1);
   if (text[0] == '-') text.replace(0, 1, kMinusSign);
   return text;
+}
+
+Message celsius(double kelvin) {
+  return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - kZeroCelsius, 1)});
 }
 
 UnitPrefix prefixFor(double magnitude) {

@@ -57,6 +57,9 @@ std::string powerOfTen(int exponent);
 /// Returns a number with this many decimals, with a true minus; never "-0".
 std::string printedDecimals(double value, int decimals);
 
+/// Returns a temperature as people read it: "20.0 \u00B0C".
+Message celsius(double kelvin);
+
 struct UnitPrefix {
   std::string_view text;  // "m"
   double size = 1;

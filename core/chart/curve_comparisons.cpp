@@ -8,7 +8,6 @@
 #include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
-#include "core/material/isotherms.h"
 
 namespace asperity {
 namespace {

@@ -12,7 +12,6 @@
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
-#include "core/material/isotherms.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {

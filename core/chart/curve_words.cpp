@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "core/material/isotherms.h"
 #include "core/material/temperature_shift.h"
 
 namespace asperity {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/material/overlap_fit.h"
 #include "core/material/stray_points.h"

@@ -75,10 +75,6 @@ MeasuredSweep gathered(std::vector<MeasuredModulus> rows) {
 
 }  // namespace
 
-Message celsius(double kelvin) {
-  return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - kZeroCelsius, 1)});
-}
-
 std::vector<std::span<const MeasuredModulus>> sweepsOf(std::span<const MeasuredModulus> rows,
                                                        double tolerance) {
   std::vector<std::span<const MeasuredModulus>> sweeps;

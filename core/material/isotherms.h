@@ -83,7 +83,4 @@ std::vector<std::span<const MeasuredModulus>> sweepsOf(std::span<const MeasuredM
 std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows,
                                      double tolerance = kIsothermTolerance);
 
-/// Returns a temperature as messages about measurements have it: "20 °C".
-Message celsius(double kelvin);
-
 }  // namespace asperity

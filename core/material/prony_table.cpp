@@ -12,7 +12,6 @@
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_cells.h"
-#include "core/material/isotherms.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
-#include "core/material/isotherms.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"

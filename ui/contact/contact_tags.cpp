@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/material/element_law.h"
-#include "core/material/isotherms.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
