@@ -62,9 +62,9 @@ void unifyUnits(TextBlock& block, const std::string& name) {
   for (std::size_t i = 0; i < block.cells.size(); ++i) unifyUnits(block, i, name);
 }
 
-bool isColumnOfUnits(const TextColumn& column) {
+bool isNameOfUnits(const TextColumn& column) {
   constexpr WordList kOfUnits("unit units einheit einheiten unit\u00E9 unidad unit\u00E0");
-  return column.isText && isOneOf(lowerCase(column.name), kOfUnits);
+  return isOneOf(lowerCase(column.name), kOfUnits);
 }
 
 void takeColumnsOfUnits(TextBlock& block, const std::string& name) {
@@ -72,7 +72,7 @@ void takeColumnsOfUnits(TextBlock& block, const std::string& name) {
   std::size_t candidates = 0;  // columns of numbers since the last one of units
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     if (!block.columns[i].isText) ++candidates;
-    if (!isColumnOfUnits(block.columns[i])) continue;
+    if (!block.columns[i].isText || !isNameOfUnits(block.columns[i])) continue;
     if (std::exchange(candidates, 0) != 1 || block.columns[i - 1].isText) continue;
     TextColumn& numbers = block.columns[i - 1];
     const std::vector<std::string>& units = block.texts[i];

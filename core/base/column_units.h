@@ -17,8 +17,8 @@ void unifyUnits(TextBlock& block, const std::string& name);
 /// Does so in one column.
 void unifyUnits(TextBlock& block, std::size_t column, const std::string& name);
 
-/// Returns whether a column has the units of the numbers before it by its name.
-bool isColumnOfUnits(const TextColumn& column);
+/// Returns whether the texts of a column are the units of the numbers before it by its name.
+bool isNameOfUnits(const TextColumn& column);
 
 /// Gives the units in a column of their own to the column before it, where this is the only one of
 /// numbers that they can belong to: "v;unit;mu" above "10;mm/s;0.6". Throws InputError where they

@@ -112,7 +112,7 @@ std::optional<WordOfLine> unitOfNoNumber(const TextPart& in,
     }
   }
   for (std::size_t i = 0; i < in.block.columns.size(); ++i)
-    if (isColumnOfUnits(in.block.columns[i]))
+    if (in.block.columns[i].isText && isNameOfUnits(in.block.columns[i]))
       for (std::size_t row = 0; row < in.block.rows; ++row)
         if (isUnit(in.block.texts[i][row]))
           return WordOfLine{in.block.texts[i][row], in.block.lines[row]};

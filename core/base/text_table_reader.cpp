@@ -365,9 +365,11 @@ class TableReader {
     if (row_.count(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
       return false;
     if (!options_.keepsTexts) return row_.count(FieldKind::Text) == 0;
-    // "mm/s; 1" are the units of a velocity and of a pure number.
+    const auto named = namedColumns(above_, table_.dialect, row_.values);
+    // "mm/s; 1" are the units of a velocity and of a pure number, except below "v;unit;mu".
     const auto ones = static_cast<std::size_t>(std::ranges::count(row_.fields, "1"));
-    if (ones == row_.count(FieldKind::Number) && areUnits({row_.fields.begin(), row_.fields.end()}))
+    if (std::ranges::none_of(named, isNameOfUnits) && ones == row_.count(FieldKind::Number) &&
+        areUnits({row_.fields.begin(), row_.fields.end()}))
       return false;
     // The colon of a time of day ends no key.
     const auto hasKey = [](std::string_view field) {
@@ -378,9 +380,14 @@ class TableReader {
                 : keyEnd(line.text) != std::string_view::npos)
       return false;
     // ";1 mm/s;10 mm/s" above "20 \u00B0C;0.5;0.7", where the unit of the first column names it
-    const auto named = namedColumns(above_, table_.dialect, row_.values);
     return std::none_of(named.begin() + (row_.isCell(0) && named.size() > 1 ? 1 : 0), named.end(),
                         [](const TextColumn& column) { return column.name.empty(); });
+  }
+
+  /// Returns a field without a quotation mark that does not end: the number of "\"0;1.3".
+  static std::string_view withoutOpenQuote(std::string_view field) {
+    field = trimmedBlanks(field);
+    return field.starts_with('"') && field.find('"', 1) == field.npos ? field.substr(1) : field;
   }
 
   /// Returns whether a line above a first row has equally many fields and begins with a number, or
@@ -390,7 +397,8 @@ class TableReader {
     const auto isNumber = [this](std::string_view field) {
       return readField(field, table_.dialect.decimal).kind == FieldKind::Number;
     };
-    if (isComment(above.text) || fields.size() < row_.size() || !isNumber(fields.front()))
+    if (isComment(above.text) || fields.size() < row_.size() ||
+        !isNumber(withoutOpenQuote(fields.front())))
       return false;
     return fields.size() == row_.size() ||
            std::all_of(fields.begin(), fields.begin() + std::ssize(row_.fields), isNumber);

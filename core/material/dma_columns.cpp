@@ -355,6 +355,22 @@ Message dividedForShear(double poisson) {
                  printed(2 * (1 + poisson)), printed(poisson));
 }
 
+std::optional<Message> otherPoissonNote(const TextPart& in, double poisson) {
+  for (const TextEntry* entry : in.entriesAbove()) {
+    const std::string line = joinEntry(*entry);
+    for (const std::string_view clause : splitClauses(line)) {
+      const auto stated = parseStatement(clause);
+      if (!stated || stated->quantity.number == poisson) continue;
+      const std::string name = lowerCase(stated->name.name);
+      if (containsOneOf(name, "poisson querkontraktion querdehn") || isOneOf(name, "nu \u03BD"))
+        return message(
+            "line {} states a Poisson's ratio of {}, and {} is used; --poisson-ratio replaces it",
+            entry->line, printed(stated->quantity.number), printed(poisson));
+    }
+  }
+  return {};
+}
+
 namespace {
 
 /// Takes the temperature and the frequency in a name or its unit. Returns the name without them.

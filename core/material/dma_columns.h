@@ -47,6 +47,10 @@ double shearFromYoungs(double youngs, double poisson);
 /// Says that moduli of tension were divided for shear.
 Message dividedForShear(double poisson);
 
+/// Returns the note on a Poisson's ratio that the lines above a block state and that is not the one
+/// by which moduli of tension are divided.
+std::optional<Message> otherPoissonNote(const TextPart& in, double poisson);
+
 /// Words that name the temperature of the sample, and a set one or that of a device.
 inline constexpr WordList kWordsOfSample(
     "sample specimen probe proben actual ist measured tsample tprobe tist tactual tmeasured");

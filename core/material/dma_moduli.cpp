@@ -142,24 +142,6 @@ void requireUnits(const DmaBlock& in, const DmaColumnFact& one, const DmaColumnF
               with.name, with.unit));
 }
 
-/// Returns the note on a Poisson's ratio that the lines above a block state and that is not the one
-/// by which moduli of tension are divided.
-std::optional<Message> otherPoissonNote(const DmaBlock& in) {
-  for (const TextEntry* entry : in.entriesAbove()) {
-    const std::string line = joinEntry(*entry);
-    for (const std::string_view clause : splitClauses(line)) {
-      const auto stated = parseStatement(clause);
-      if (!stated || stated->quantity.number == in.choices.poissonRatio) continue;
-      const std::string name = lowerCase(stated->name.name);
-      if (containsOneOf(name, "poisson querkontraktion querdehn") || isOneOf(name, "nu \u03BD"))
-        return message(
-            "line {} states a Poisson's ratio of {}, and {} is used; --poisson-ratio replaces it",
-            entry->line, printed(stated->quantity.number), printed(in.choices.poissonRatio));
-    }
-  }
-  return {};
-}
-
 // ---- Contradictions -----------------------------------------------------------------------------
 
 bool isPositive(double value) {
@@ -378,7 +360,7 @@ ModulusColumns findModulusColumns(const DmaBlock& in, const SweepColumns& column
   if (found.areCompliances) addNote("the moduli follow from compliances: G* = 1 / J*");
   if (found.isFirstViscosity || found.isSecondViscosity)
     addNote("the moduli follow from viscosities: G* = i \u03C9 \u03B7*");
-  if (found.kind == ModulusKind::Tension) addNote(otherPoissonNote(in));
+  if (found.kind == ModulusKind::Tension) addNote(otherPoissonNote(in, in.choices.poissonRatio));
   if (measured.first == Storage && firstForm == MeasuredForm::Modulus)
     addNote(otherKindNote(in.block, found.first, found.kind, in.choices.poissonRatio));
   if (measured.first == Magnitude && areBothModuli && firstForm == secondForm)

@@ -204,10 +204,13 @@ void readModuli(const SeriesBlock& in, const SeriesRows& rows) {
     modulus = value;
     isDivided = isDivided || own == ModulusKind::Tension;
   }
-  if (isDivided)
+  if (isDivided) {
     in.series.notes.push_back(dividedForShear(in.choices.poissonRatio));
-  else if (kind == ModulusKind::Shear)
+    if (auto note = otherPoissonNote(in, in.choices.poissonRatio))
+      in.series.notes.push_back(std::move(*note));
+  } else if (kind == ModulusKind::Shear) {
     in.series.notes.push_back("moduli of shear, not divided");
+  }
 }
 
 /// Reads the temperature and the shift that a table states. The user's temperature precedes, and is

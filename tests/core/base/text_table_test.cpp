@@ -674,7 +674,8 @@ TEST(TextTable, RowsWithWordsBehindThemAreRefused) {
 TEST(TextTable, QuotedLinesWithNumbersStandAlone) {
   const TextTable column = read("\"1\n2\n3\n4\n5\"\n");
   EXPECT_THAT(column.blocks[0].column(0), ElementsAre(2, 3, 4));
-  EXPECT_THAT(column.leftOut, ElementsAre(5));
+  EXPECT_THAT(column.leftOut, ElementsAre(1, 5));
+  EXPECT_THAT(read("x;z\n\"0;1.3\n1;1.4\n2;1.2\n").leftOut, ElementsAre(2));
   const TextTable width = read("\"Width: 10 mm\nHeight: 5 mm\"\n1;2;3\n4;5;6\n");
   EXPECT_EQ(width.blocks[0].header.size(), 2U);
   EXPECT_EQ(width.blocks[0].header[0].key, "\"Width");
@@ -712,6 +713,10 @@ TEST(TextTable, UnitsMayHaveAColumnOfTheirOwn) {
     for (const TextColumn& column : table.largest().columns)
       EXPECT_TRUE(column.unit.empty() || column.name == "v") << text;
   }
+  // A first row of ones is none of units there.
+  const TextBlock ones = read("v;unit;mu\n1;mm/s;1\n10;mm/s;0.6\n", withTexts()).largest();
+  EXPECT_THAT(ones.column(0), ElementsAre(1, 10));
+  EXPECT_EQ(ones.columns[0].unit, "mm/s");
   // A sample may be called K.
   EXPECT_EQ(read("v;sample;mu\n1;K;0.5\n10;K;0.6\n", withTexts()).largest().columns[0].unit, "");
 }

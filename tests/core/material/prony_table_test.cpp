@@ -490,5 +490,13 @@ TEST(PronyTable, RefusesAnEndModulusWithTwoValues) {
   expectSeriesNearly(readSeries("G_inf = 1 MPa\nequilibrium modulus: 1000 kPa\n" + arms));
 }
 
+/// Moduli of tension depend on Poisson's ratio: one that the file states is not passed over.
+TEST(PronyTable, AnotherPoissonsRatioInTheTextIsNamed) {
+  const std::string stated = "E_inf = 3 MPa\nnu = 0.49\nT = 20 C\n";
+  const auto notes = seriesNotes(readSeries(stated + "i;E_i (MPa);tau_i (s)\n1;6;0.1\n2;3;10\n"));
+  EXPECT_THAT(notes,
+              testing::Contains(HasSubstr("states a Poisson's ratio of 0.49, and 0.5 is used")));
+}
+
 }  // namespace
 }  // namespace asperity
