@@ -426,6 +426,7 @@ void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOp
     // Another pressure of the scene has its own note.
     if (const auto note = pressureNote(curve.computed, scene.load.width); hasPressures && note)
       set.notes.push_back(message("{}: {}", Message::name(table.name), *note));
+    if (auto note = forceNote(table, scene)) set.notes.push_back(std::move(*note));
     curve.data = std::move(table);
     set.measured.push_back(std::move(curve));
   }

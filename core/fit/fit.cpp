@@ -177,6 +177,8 @@ class Fitting {
     warnOfOutlier();
     std::ranges::move(notesOf(data_), std::back_inserter(fit_.notes));
     const double width = fit_.scene.load.width;
+    for (const FrictionData& table : data_)
+      if (auto note = forceNote(table, fit_.scene)) fit_.warnings.push_back(std::move(*note));
     if (const auto note = pressureNote(fit_.computed, width))
       (width > 0 ? fit_.notes : fit_.warnings).push_back(*note);
     if (shiftsByGeneralConstants())

@@ -17,6 +17,7 @@
 #include "core/fit/friction_rows.h"
 #include "core/material/dma_cells.h"
 #include "core/material/temperature_shift.h"
+#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
@@ -99,6 +100,14 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
   for (std::size_t i = 0; i < block.cells.size(); ++i)
     if (roles.isUsed(i) && hasErrors(block.cells[i]) && !roles.areErrorsUsed(block, i))
       notes.push_back(message("column {}: the errors in its cells are not used", i + 1));
+  for (const HeaderStatement& one : header.unused)
+    for (const auto& [stated, column] : {std::pair(Quantity::Pressure, Quantity::Force),
+                                         std::pair(Quantity::Force, Quantity::Pressure)})
+      if (one.quantity == stated && roles.find(column))
+        notes.push_back(message(
+            "line {}: the {} is not used, because a column gives the {}; take the column out where "
+            "the line says the load",
+            one.line, Message(meaningOf(stated)), Message(meaningOf(column))));
   if (header.hasTwoLoads)
     notes.emplace_back(
         "the lines above the table state several loads; one normal force or one nominal pressure "
@@ -301,6 +310,29 @@ Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene) {
     }
   }
   return at;
+}
+
+std::optional<Message> forceNote(const FrictionData& data, const Scene& scene) {
+  constexpr double kFar = 3;  // times the load of the scene, or less than its inverse
+  if (scene.load.kind != LoadKind::Pressure) return {};
+  Extent forces;
+  for (const MeasuredPoint& point : data.points)
+    if (!std::isnan(point.normalForce)) forces.add(point.normalForce);
+  if (forces.isEmpty()) return {};
+  const double length = LineSource(scene, pointsPerElement(scene)).length();
+  const double ofScene = loadOn(scene.load, length).normalForce;
+  if (!(forces.least > kFar * ofScene || forces.most < ofScene / kFar)) return {};
+  const double perForce = scene.load.nominalPressure / ofScene;
+  Extent pressures;
+  for (const double force : {forces.least, forces.most}) pressures.add(force * perForce);
+  return message(
+      "{}: a normal force is that on one period of the line, so that {} would be a nominal "
+      "pressure "
+      "of {} on the period of {} times the width of {}, while the scene has {}; where it is the "
+      "force on a whole sample, give the nominal pressure of the test in its place",
+      Message::name(data.name), extentText(forces, "N"), extentText(pressures, "Pa"),
+      printed(length, "m"), printed(contactWidth(scene.load, length), "m"),
+      printed(scene.load.nominalPressure, "Pa"));
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,5 +64,10 @@ bool isFrictionTable(std::string_view bytes);
 /// pressure and temperature of the table. Throws InputError with the row where the scene's
 /// elastomer has no shift at this temperature.
 Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene);
+
+/// Returns the note on normal forces of a table that, on one period of the scene's line, are
+/// nominal pressures far from that of the scene: a test states the force on its whole sample.
+/// Nothing where the load of the scene is no pressure, or some force is near it.
+std::optional<Message> forceNote(const FrictionData& data, const Scene& scene);
 
 }  // namespace asperity

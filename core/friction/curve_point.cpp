@@ -44,17 +44,12 @@ CurvePoint CurveAverages::point(double velocity) const {
   return point;
 }
 
-namespace {
-
-/// The smallest and the largest of several values, in words: "0.5 N", "0.5 N to 2 N".
 Message extentText(const Extent& values, std::string_view unit) {
   constexpr int kDigits = 6;
   const PrintedNumber least = printed(values.least, unit, kDigits),
                       most = printed(values.most, unit, kDigits);
   return least.text == most.text ? Message(least) : message("{} to {}", least, most);
 }
-
-}  // namespace
 
 std::optional<Message> pressureNote(std::span<const CurvePoint> points, double width) {
   Extent pressures, forces, periods;

@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "core/base/intervals.h"
 #include "core/base/message.h"
 #include "core/base/statistics.h"
 #include "core/friction/line_mean.h"
@@ -77,6 +79,9 @@ struct CurvePoint {
 inline double totalMu(const CurvePoint& point) {
   return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
 }
+
+/// Returns the smallest and the largest of several values in words: "0.5 N", "0.5 N to 2 N".
+Message extentText(const Extent& values, std::string_view unit);
 
 /// Returns how the nominal pressures of some points become forces on one period, by which width:
 /// without a width (m) of the load it is the period, and results depend on it. Nothing where no

@@ -351,8 +351,8 @@
         <translation>hat zwei Spalten mit %1: %2 und %3</translation>
     </message>
     <message>
-        <source>has both a normal force and a nominal pressure; one of them says the load</source>
-        <translation>hat Normalkraft und nominellen Druck; nur eines von beiden gibt die Last an</translation>
+        <source>has both a normal force and a nominal pressure; one of them says the load, so take the column of the other one out</source>
+        <translation>hat Normalkraft und nominellen Druck; nur eines von beiden gibt die Last an, also die Spalte des anderen weglassen</translation>
     </message>
     <message>
         <source>row %1: %2</source>
@@ -7333,6 +7333,14 @@
     <message>
         <source>line %1: %2 of all points (%3)</source>
         <translation>Zeile %1: %2 aller Punkte (%3)</translation>
+    </message>
+    <message>
+        <source>line %1: the %2 is not used, because a column gives the %3; take the column out where the line says the load</source>
+        <translation>Zeile %1 wird nicht verwendet (%2), weil eine Spalte die Last angibt (%3); wo die Zeile die Last angibt, die Spalte weglassen</translation>
+    </message>
+    <message>
+        <source>%1: a normal force is that on one period of the line, so that %2 would be a nominal pressure of %3 on the period of %4 times the width of %5, while the scene has %6; where it is the force on a whole sample, give the nominal pressure of the test in its place</source>
+        <translation>%1: eine Normalkraft ist die auf eine Periode der Linie, sodass %2 ein nomineller Druck von %3 auf der Periode von %4 mal der Breite von %5 wäre, während die Szene %6 hat; wo sie die Kraft auf eine ganze Probe ist, stattdessen den nominellen Druck der Messung angeben</translation>
     </message>
     <message>
         <source>the lines above the table state several loads; one normal force or one nominal pressure says the load</source>

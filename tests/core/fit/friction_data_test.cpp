@@ -310,6 +310,27 @@ TEST(FrictionData, AStateHasTheValuesOfItsPoint) {
   EXPECT_EQ(sceneAtPoint(point, scene).load.nominalPressure, 2e5);
 }
 
+/// A test states the force on its whole sample, which is not that on one period.
+TEST(FrictionData, ForcesFarFromTheLoadOfTheSceneAreNamed) {
+  Scene scene;
+  scene.surface.length = 0.02;
+  scene.load.kind = LoadKind::Pressure;
+  scene.load.nominalPressure = 2e5;
+  scene.load.width = 1e-4;  // 0.4 N
+  FrictionData data{"a table", {{.velocity = 1, .mu = 0.2, .normalForce = 80}}};
+  const auto note = forceNote(data, scene);
+  ASSERT_TRUE(note.has_value());
+  EXPECT_THAT(note->english(),
+              HasSubstr("a table: a normal force is that on one period of the line, so that 80 N "
+                        "would be a nominal pressure of 40 MPa on the period of 20 mm times the "
+                        "width of 100 \u00B5m, while the scene has 200 kPa"));
+  data.points.front().normalForce = 1.1;  // less than three times the load
+  EXPECT_FALSE(forceNote(data, scene).has_value());
+  data.points.front().normalForce = 80;
+  scene.load.kind = LoadKind::Force;
+  EXPECT_FALSE(forceNote(data, scene).has_value());
+}
+
 /// A temperature that no shift reaches is that of a row, not one that the scene states.
 TEST(FrictionData, NamesTheRowWhoseTemperatureHasNoShift) {
   Scene scene;
@@ -975,6 +996,12 @@ std::string notesOf(const FrictionData& data) {
   std::string notes = "\n";
   for (const Message& note : data.notes) notes += note.english() + "\n";
   return notes;
+}
+
+TEST(FrictionData, APressureAboveAColumnOfForcesIsNamed) {
+  EXPECT_THAT(notesOf(parsed("# Nominal pressure: 2 bar\nv (m/s),mu,Fz (N)\n1,0.2,80\n2,0.3,80\n")),
+              HasSubstr("line 1: the nominal pressure is not used, because a column gives the "
+                        "normal force; take the column out where the line says the load"));
 }
 
 TEST(FrictionData, LinesBetweenTheRowsOfOneTable) {
