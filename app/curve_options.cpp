@@ -446,11 +446,15 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   for (const TheoryCurve& theory : set.theories) {
     const TheoryEntry& entry = theoryEntry(theory.theory);
     auto points = nlohmann::ordered_json::array();
-    for (const TheoryPoint& point : theory.points)
-      points.push_back({{"velocity", point.velocity},
-                        {"mu", numberOrNull(point.mu)},
-                        {"contact_fraction", numberOrNull(point.contactFraction)},
-                        {"in_range", point.isInRange}});
+    for (const TheoryPoint& point : theory.points) {
+      nlohmann::ordered_json one;
+      if (!set.isOfVelocity()) one[columnOfKey(set.present.scene.sweep.key)] = point.swept;
+      one.update({{"velocity", point.velocity},
+                  {"mu", numberOrNull(point.mu)},
+                  {"contact_fraction", numberOrNull(point.contactFraction)},
+                  {"in_range", point.isInRange}});
+      points.push_back(std::move(one));
+    }
     answer["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(entry.theory)]},
                                   {"name", entry.name},
                                   {"range", entry.range},

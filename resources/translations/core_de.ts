@@ -491,8 +491,8 @@
         <translation>Gl. (11) von Li et al. (2013): selbstaffine Linien, Kelvin-Elemente, Kontakt vieler Gipfel.</translation>
     </message>
     <message>
-        <source>Gaussian line on independent elements as the velocity goes to 0, without a fitted constant; it needs many independent waves.</source>
-        <translation>Gaußsche Linie auf unabhängigen Elementen bei verschwindender Geschwindigkeit, ohne angepasste Konstante; sie braucht viele unabhängige Wellen.</translation>
+        <source>Gaussian line on independent elements as the velocity goes to 0, without a fitted constant; it needs three independent waves in contact.</source>
+        <translation>Gaußsche Linie auf unabhängigen Elementen bei verschwindender Geschwindigkeit, ohne angepasste Konstante; sie braucht drei unabhängige Wellen im Kontakt.</translation>
     </message>
     <message>
         <source>Losses of all waves of the line in complete contact, for any linear rheology; below complete contact it is too large.</source>

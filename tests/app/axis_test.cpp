@@ -82,6 +82,16 @@ TEST_F(AxisTest, JsonAndPicturesTellTheAxis) {
   EXPECT_THAT(TemporaryFolder::read(program.folder / "c.svg"), HasSubstr("normal force"));
 }
 
+TEST_F(AxisTest, PointsOfTheoriesHaveTheirValueOfTheAxis) {
+  const Said said = program.run(
+      "curve s.json --over load.normal_force=1mN:1N:4 --theory gaussian_foundation --json");
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto points = nlohmann::json::parse(said.out)["theories"][0]["points"];
+  EXPECT_EQ(points.front()["normal_force"], 0.001);
+  EXPECT_EQ(points.back()["normal_force"], 1);
+  EXPECT_EQ(points.back()["velocity"], 0.05);
+}
+
 TEST_F(AxisTest, AFamilyHasAColumnOfItsKey) {
   const Said said =
       program.run("curve s.json --set sweep.points=3 --family load.normal_force=1mN:100mN:3");

@@ -7,9 +7,9 @@
 //   mu = 4 eta v L Phi(delta) <z'^2> / F_N,
 // delta being the depth of the mean line below the undeformed surface over the rms height h, phi
 // and Phi the normal density and distribution. No constant is fitted.
-// Range: low velocity, and so many independent waves that every line has its share of summits.
-// Pure; any thread. For a Prony series G is the equilibrium modulus, and eta = eta_0 + sum G_i
-// tau_i, the loss modulus over the frequency as it goes to 0.
+// Range: low velocity, and so many independent waves that every line has its share of summits:
+// three of them in contact (theory.cpp). Pure; any thread. For a Prony series G is the equilibrium
+// modulus, and eta = eta_0 + sum G_i tau_i, the loss modulus over the frequency as it goes to 0.
 #pragma once
 
 #include "core/material/element_law.h"

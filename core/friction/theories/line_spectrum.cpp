@@ -11,6 +11,12 @@ double WaveSpectrum::meanSquareHeight() const {
   return sum;
 }
 
+double WaveSpectrum::effectiveWaves() const {
+  double squares = 0;
+  for (const SpectralWave& wave : waves) squares += wave.meanSquareHeight * wave.meanSquareHeight;
+  return meanSquareHeight() * meanSquareHeight() / squares;
+}
+
 double WaveSpectrum::meanSquareSlope() const {
   double sum = 0;
   for (const SpectralWave& wave : waves)

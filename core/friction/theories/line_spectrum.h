@@ -25,6 +25,9 @@ struct WaveSpectrum {
 
   double meanSquareHeight() const;  // m^2, <h^2>
   double meanSquareSlope() const;   // <z'^2>
+  /// Returns how many waves of one height would have heights as far from Gaussian ones as these
+  /// have: the square of the sum of their mean square heights over the sum of the squares.
+  double effectiveWaves() const;
 };
 
 /// Returns the spectrum of realization 0. Random lines differ only in their phases, unless the

@@ -82,6 +82,29 @@ TEST(GaussianFoundation, AgreesWithTheSimulationAtLowVelocity) {
   }
 }
 
+/// Few waves have no Gaussian heights: a line whose longest waves are the highest needs a higher
+/// load, so that several waves are in contact.
+TEST(GaussianFoundation, NeedsSeveralWavesInContact) {
+  Scene scene = sceneOfSize(2000, 1, 1500);
+  const std::vector<double> velocities{1e-9};
+  const auto isInRange = [&](double rollOff, double force) {
+    scene.surface.rollOffWavelength = rollOff * scene.surface.length;
+    scene.load.normalForce = force;
+    return theoryCurve(Theory::GaussianFoundation, scene, LineSource(scene, 1), velocities)
+        .front()
+        .isInRange;
+  };
+  EXPECT_FALSE(isInRange(1, 3e-3));
+  EXPECT_FALSE(isInRange(1, 10));  // all of the two waves
+  EXPECT_FALSE(isInRange(0.02, 3e-4));
+  EXPECT_TRUE(isInRange(0.02, 0.03));
+  WaveSpectrum equal;
+  equal.waves.assign(7, {1, 2.5});
+  EXPECT_DOUBLE_EQ(equal.effectiveWaves(), 7);
+  equal.waves.push_back({1, 0});
+  EXPECT_DOUBLE_EQ(equal.effectiveWaves(), 7);
+}
+
 /// At low frequency the loss modulus of arms is w sum G_i tau_i.
 TEST(GaussianFoundation, ArmsGiveTheViscosityOfLowFrequency) {
   const ElementLaw law = manyArms();
