@@ -133,8 +133,9 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
 
 TEST_F(FitCommandTest, MeasuredFrictionAndTheoriesStandBesideACurve) {
   const auto ran = program.run(
-      "curve s.json --data data.csv --theory "
-      "eq_11,gaussian_foundation,complete_contact,persson_half_space -o c.csv -o c.svg");
+      "curve s.json --set surface.roll_off_wavelength=1mm --set load.normal_force=30mN --data "
+      "data.csv --theory eq_11,gaussian_foundation,complete_contact,persson_half_space -o c.csv -o "
+      "c.svg");
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_THAT(read("c.csv"), AllOf(HasSubstr("\ndata,"), HasSubstr("Gaussian foundation"),
                                    HasSubstr("half-space"), HasSubstr("Eq. (11)")));
@@ -149,9 +150,9 @@ TEST_F(FitCommandTest, MeasuredFrictionAndTheoriesStandBesideACurve) {
   EXPECT_DOUBLE_EQ(point["measured_over_computed"],
                    point["mu_measured"].get<double>() / point["mu"].get<double>());
   // A scene that names them shows the same.
-  program.folder.write(
-      "t.json",
-      R"({"title":"Fitted","surface":{"elements":200},"ensemble":{"realizations":30},
+  program.folder.write("t.json",
+                       R"({"title":"Fitted","surface":{"elements":200,"roll_off_wavelength":1e-3},
+          "ensemble":{"realizations":30},"load":{"normal_force":0.03},
           "sweep":{"velocity_from":1e-4,"velocity_to":1000,"points":9},
           "comparison":{"data":[{"file":"data.csv"}],"theory":["eq_11","gaussian_foundation",
           "complete_contact","persson_half_space"]}})");
