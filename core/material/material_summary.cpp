@@ -97,6 +97,12 @@ void addResiduals(const Material& material, std::vector<Message>& lines) {
       "rms residual {} % of G\u2032, {} % of G\u2033",
       describeArms(series.arms.size()), series.terms, printed(series.equilibriumModulus, "Pa"),
       printedPercent(series.rmsStorage, 2), printedPercent(series.rmsLoss, 2)));
+  constexpr double kPoor = 0.15;  // rms, more than the scatter of measurements
+  if (std::max(series.rmsStorage, series.rmsLoss) > kPoor)
+    lines.push_back(
+        "the series does not follow the moduli: no relaxation has such a storage modulus together "
+        "with such a loss modulus (Kramers and Kronig); check the columns, their units and the "
+        "shifts");
   // A rubber that still relaxes at the lowest frequency has an equilibrium modulus by
   // extrapolation.
   constexpr double kReached = 1.4;

@@ -7335,6 +7335,10 @@
         <translation>Zeile %1: %2 aller Punkte (%3)</translation>
     </message>
     <message>
+        <source>the series does not follow the moduli: no relaxation has such a storage modulus together with such a loss modulus (Kramers and Kronig); check the columns, their units and the shifts</source>
+        <translation>die Reihe folgt den Moduln nicht: keine Relaxation hat einen solchen Speichermodul zusammen mit einem solchen Verlustmodul (Kramers und Kronig); Spalten, Einheiten und Verschiebungen prüfen</translation>
+    </message>
+    <message>
         <source>line %1: the %2 is not used, because a column gives the %3; take the column out where the line says the load</source>
         <translation>Zeile %1 wird nicht verwendet (%2), weil eine Spalte die Last angibt (%3); wo die Zeile die Last angibt, die Spalte weglassen</translation>
     </message>

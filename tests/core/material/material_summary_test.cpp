@@ -2,6 +2,7 @@
 // of material.json: what is written of it, and that a shipped one is made again.
 #include "core/material/material_summary.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -52,6 +53,22 @@ TEST(MaterialSummary, AnEquilibriumThatWasNotMeasuredIsNamed) {
                                  "storage modulus is 2.1 times G\u221E")));
   EXPECT_THAT(lines("1,2.00,0.01\n10,2.01,0.02\n100,2.05,0.1\n"),
               Each(Not(HasSubstr("equilibrium was not measured"))));
+}
+
+/// A storage modulus that doubles in each decade has a loss factor of about tan(pi/2 log10(2)) =
+/// 0.51 by the relation of Kramers and Kronig, not 0.1.
+TEST(MaterialSummary, ModuliThatContradictEachOtherAreNamed) {
+  const auto linesAt = [](double lossFactor) {
+    std::string text = "f (Hz),T (C),G' (MPa),G'' (MPa)\n";
+    for (int i = 0; i < 9; ++i) {
+      const double storage = std::pow(2, i / 2.0);
+      text += fmt::format("{},20,{},{}\n", std::pow(10, i / 2.0), storage, lossFactor * storage);
+    }
+    return linesOf(makeMaterial(text, "dma.csv", {}));
+  };
+  const std::string said = "the series does not follow the moduli: no relaxation has such";
+  EXPECT_THAT(linesAt(0.1), Contains(HasSubstr(said)));
+  EXPECT_THAT(linesAt(0.51), Not(Contains(HasSubstr(said))));
 }
 
 /// A slip of the decimal mark is named, and nothing is concluded from it.
