@@ -101,20 +101,21 @@ QString stateText(FigureName name, const FigureStatus& status) {
              : FigureList::tr("ready, %1 lines").arg(status.made->realizations);
 }
 
-FigureList::FigureList(QWidget* parent) : QListWidget(parent) {
+FigureList::FigureList(const FigureQueue& queue, QWidget* parent)
+    : QListWidget(parent), queue_(queue) {
   setObjectName("figureList");
   setItemDelegate(new EntryDelegate(this));
   setFrameShape(NoFrame);
   setMouseTracking(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(ScrollPerPixel);
-  statuses_.resize(figureEntries().size());
-  for (std::size_t i = 0; i < statuses_.size(); ++i) new QListWidgetItem(this);
+  for (std::size_t i = 0; i < figureEntries().size(); ++i) new QListWidgetItem(this);
   keepTranslated(*this, [this] { showTexts(); });
   setCurrentRow(0);
   connect(this, &QListWidget::currentRowChanged, this,
           [this](int row) { emit chosenChanged(nameAt(row)); });
-  connect(this, &QListWidget::itemActivated, this, [this] { emit computeRequested(chosen()); });
+  connect(this, &QListWidget::itemActivated, this, &FigureList::computeRequested);
+  connect(&queue_, &FigureQueue::changed, this, &FigureList::showStatus);
 }
 
 FigureName FigureList::chosen() const {
@@ -131,12 +132,12 @@ void FigureList::showTexts() {
     QListWidgetItem& item = *this->item(static_cast<int>(entry.name));
     item.setData(kLabel, figureLabel(entry.name));
     item.setData(kHeadline, translatedText(entry.headline));
-    showStatus(entry.name, statuses_[static_cast<std::size_t>(entry.name)]);
+    showStatus(entry.name);
   }
 }
 
-void FigureList::showStatus(FigureName name, const FigureStatus& status) {
-  statuses_[static_cast<std::size_t>(name)] = status;
+void FigureList::showStatus(FigureName name) {
+  const FigureStatus& status = queue_.status(name);
   QListWidgetItem& item = *this->item(static_cast<int>(name));
   const QString state = stateText(name, status);
   item.setData(kState, state);

@@ -1,9 +1,8 @@
-// The paper's figures in a list: label, headline, and the progress of each. GUI thread; owned by
-// its parent.
+// The paper's figures in a list: label, headline, and the progress of each in the queue. GUI
+// thread; owned by its parent.
 #pragma once
 
 #include <QListWidget>
-#include <vector>
 
 #include "ui/window/figures/figure_queue.h"
 
@@ -13,27 +12,28 @@ class FigureList : public QListWidget {
   Q_OBJECT
 
  public:
-  explicit FigureList(QWidget* parent = nullptr);
+  /// queue: the figures that are listed; it must outlive the list.
+  explicit FigureList(const FigureQueue& queue, QWidget* parent = nullptr);
 
   FigureName chosen() const;
   void choose(FigureName name);
-  void showStatus(FigureName name, const FigureStatus& status);
 
   /// Returns a width at which label and state fit beside each other, and no word is broken.
   QSize minimumSizeHint() const override;
 
  signals:
   void chosenChanged(asperity::FigureName name);
-  /// Emitted by Enter or a double click.
-  void computeRequested(asperity::FigureName name);
+  /// Emitted for the chosen figure by Enter or a double click.
+  void computeRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showTexts();
+  void showStatus(FigureName name);
 
-  std::vector<FigureStatus> statuses_;
+  const FigureQueue& queue_;
 };
 
 /// Returns "not computed", "waiting", "42 %", "ready, 20 lines" or "failed".

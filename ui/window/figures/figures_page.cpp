@@ -86,15 +86,18 @@ FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
 
   connect(list_, &FigureList::chosenChanged, this, &FiguresPage::showChosen);
   connect(list_, &FigureList::computeRequested, this, &FiguresPage::compute);
-  connect(queue_, &FigureQueue::changed, this, &FiguresPage::take);
+  connect(queue_, &FigureQueue::changed, this, [this](FigureName name) {
+    if (name == chosen())
+      showChosen();
+    else
+      showWork();
+  });
   connect(picture_, &DiagramView::failed, this, [this](const LiveText& reason) {
     messages_->showFailure(MessageBar::Failure::Scene, reason);
   });
   auto* escape =
       new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, this, &FiguresPage::closed);
-  for (const FigureEntry& entry : figureEntries())
-    list_->showStatus(entry.name, queue_->status(entry.name));
   showChosen();
 }
 
@@ -132,7 +135,7 @@ QWidget* FiguresPage::makeHeading() {
 QWidget* FiguresPage::makeLeft() {
   auto* left = new QWidget;
   auto* column = marginless<QVBoxLayout>(left, 0);
-  list_ = new FigureList;
+  list_ = new FigureList(*queue_);
   column->addWidget(list_, 1);
   column->addWidget(makeChoices());
   return left;
@@ -248,12 +251,6 @@ void FiguresPage::showEvent(QShowEvent* event) {
 
 FigureName FiguresPage::chosen() const {
   return list_->chosen();
-}
-
-void FiguresPage::take(FigureName name) {
-  list_->showStatus(name, queue_->status(name));
-  if (name == chosen()) showChosen();
-  showWork();
 }
 
 /// Shows a text while there is no figure, and says to screen readers what there is.

@@ -75,7 +75,6 @@ class FiguresPage : public QWidget {
   void askData();
   void save(const QString& file,
             void (*write)(const std::filesystem::path&, const ComputedFigure&));
-  void take(FigureName name);
   void describePicture();
   void showChosen();
   void showComputed(std::shared_ptr<const ComputedFigure> made);
