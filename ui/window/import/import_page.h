@@ -50,8 +50,9 @@ class ImportPage : public QDialog {
   /// Shows why the result could not be kept, such as a folder that is read-only. It stays, and can
   /// be accepted again.
   void showFailure(const QString& reason);
-  /// Returns the background work of the derived class.
-  virtual BackgroundWork& work() = 0;
+  /// Reads for begin(). It ends after the members of the derived class are destroyed, which what it
+  /// runs must not use.
+  BackgroundWork& work() { return work_; }
 
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -73,6 +74,7 @@ class ImportPage : public QDialog {
   QProgressBar* progress_;
   QToolButton* stop_;
   QPushButton *accept_, *cancel_;
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

@@ -270,10 +270,10 @@ void MaterialImport::begin() {
   try {
     chosen = choices();
   } catch (const InputError& error) {
-    work_.cancel();
+    work().cancel();
     return refuse(error.key(), error.message());
   }
-  work_.request(
+  work().request(
       [file = file().toStdString(), bytes = bytes_, chosen](const BackgroundWork::Run& run) {
         Preview preview{bytes, {}, {}};
         try {

@@ -46,7 +46,6 @@ class MaterialImport : public ImportPage {
 
  protected:
   void begin() override;
-  BackgroundWork& work() override { return work_; }
 
  private:
   struct Preview;
@@ -84,8 +83,6 @@ class MaterialImport : public ImportPage {
   QLabel *warnings_, *summary_;
   QLineEdit* reference_ = nullptr;
   std::vector<Control> controls_;
-  // Last: its thread ends before other members are destroyed.
-  BackgroundWork work_{RequestPolicy::CancelRunning};
 };
 
 }  // namespace asperity

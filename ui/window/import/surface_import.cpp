@@ -244,7 +244,7 @@ void SurfaceImport::buildViews() {
 
 /// Reads and processes in the background. The file is read once, because core keeps the last one.
 void SurfaceImport::begin() {
-  work_.request(
+  work().request(
       [this, scene = scene_](const BackgroundWork::Run& run) {
         Preview preview;
         try {

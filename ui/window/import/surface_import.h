@@ -72,7 +72,6 @@ class SurfaceImport : public ImportPage {
 
  protected:
   void begin() override;
-  BackgroundWork& work() override { return work_; }
 
  private:
   struct Preview;
@@ -86,8 +85,6 @@ class SurfaceImport : public ImportPage {
   TopographyPicture* topography_;
   DiagramView *profile_, *spectrum_;
   QLabel *facts_, *values_, *notes_;
-  // Last: its thread ends before other members are destroyed.
-  BackgroundWork work_{RequestPolicy::CancelRunning};
 };
 
 }  // namespace asperity

@@ -111,13 +111,11 @@ class GatedPage : public ImportPage {
 
  protected:
   void begin() override {
-    work_.request([gate = gate_](const BackgroundWork::Run&) { gate.wait(); }, [] {});
+    work().request([gate = gate_](const BackgroundWork::Run&) { gate.wait(); }, [] {});
   }
-  BackgroundWork& work() override { return work_; }
 
  private:
   std::shared_future<void> gate_;
-  BackgroundWork work_;
 };
 
 /// The window does not wait until the work of a page that is closed has stopped.
