@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QResizeEvent>
-#include <QStyle>
 #include <QTextLayout>
 #include <QToolButton>
 #include <exception>
@@ -14,6 +13,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/labels.h"
+#include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_text.h"
 
 namespace asperity {
@@ -188,12 +188,8 @@ void MessageBar::showNote(const LiveText& text) {
 
 /// Chooses the colours of an error or of a note, which the style sheet of the window has.
 void MessageBar::setNote(bool isNote) {
-  if (property("note").toBool() == isNote) return;
-  setProperty("note", isNote);
-  for (QWidget* part : Widgets{this, label_, more_, close_}) {
-    part->style()->unpolish(part);
-    part->style()->polish(part);
-  }
+  for (QWidget* part : Widgets{this, label_, more_, close_})
+    setStyleProperty(*part, "note", isNote);
 }
 
 void MessageBar::showText(const LiveText& text) {
