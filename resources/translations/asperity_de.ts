@@ -982,10 +982,6 @@
         <translation>Kurve speichern</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.svg *.pdf);;Table (*.csv)</source>
-        <translation>Bilder (*.png *.svg *.pdf);;Tabelle (*.csv)</translation>
-    </message>
-    <message>
         <source>Horizontal axis</source>
         <translation>Waagerechte Achse</translation>
     </message>
@@ -1029,6 +1025,10 @@
         <source>The curve&apos;s picture is on the clipboard</source>
         <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
     </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CurveReadingText</name>
@@ -1058,10 +1058,6 @@
     <message>
         <source>Save picture or data</source>
         <translation>Bild oder Daten speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg *.pdf)</source>
-        <translation>Bilder (*.png *.svg *.pdf)</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -1165,14 +1161,6 @@
     <message>
         <source>Otherwise they are lost.</source>
         <translation>Sonst gehen sie verloren.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Verwerfen</translation>
     </message>
     <message>
         <source>Open recent</source>
@@ -1610,18 +1598,6 @@
         <translation>Das Bild ist in der Zwischenablage</translation>
     </message>
     <message>
-        <source>Save picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg *.pdf)</source>
-        <translation>Bilder (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
-    <message>
         <source>There is no picture of the contact: this scene has not been computed.</source>
         <translation>Es gibt kein Bild des Kontakts: Diese Szene ist nicht berechnet.</translation>
     </message>
@@ -1728,6 +1704,26 @@
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -1942,14 +1938,6 @@
         <translation>Abbildungen von Li et al. (2013), hier und jetzt berechnet</translation>
     </message>
     <message>
-        <source>Back to the contact (Esc)</source>
-        <translation>Zurück zum Kontakt (Esc)</translation>
-    </message>
-    <message>
-        <source>back to the contact</source>
-        <translation>zurück zum Kontakt</translation>
-    </message>
-    <message>
         <source>&amp;Realizations</source>
         <translation>&amp;Realisierungen</translation>
     </message>
@@ -2038,14 +2026,6 @@
         <translation>Neu &amp;berechnen</translation>
     </message>
     <message>
-        <source>Save picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg *.pdf)</source>
-        <translation>Bilder (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
         <source>Save data</source>
         <translation>Daten speichern</translation>
     </message>
@@ -2099,10 +2079,6 @@
     <message>
         <source>The program draws the pictures and computes the answers…</source>
         <translation>Das Programm zeichnet die Bilder und berechnet die Antworten…</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -2510,10 +2486,6 @@
         <translation>Was ist hier zu sehen?</translation>
     </message>
     <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
     </message>
@@ -2834,10 +2806,6 @@
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3276,10 +3244,6 @@
     <message>
         <source>%1[*] – Asperity</source>
         <translation>%1[*] – Asperity</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>Fine step</source>
@@ -4289,14 +4253,6 @@
 <context>
     <name>asperity::SceneGallery</name>
     <message>
-        <source>Back to the contact (Esc)</source>
-        <translation>Zurück zum Kontakt (Esc)</translation>
-    </message>
-    <message>
-        <source>back to the contact</source>
-        <translation>zurück zum Kontakt</translation>
-    </message>
-    <message>
         <source>Choose a scene to begin with; everything in it can be changed</source>
         <translation>Eine Szene für den Anfang wählen; alles darin lässt sich ändern</translation>
     </message>
@@ -4824,6 +4780,17 @@
     <message>
         <source>“%1” is not a pace; enter 600, 600× slower or 20× faster</source>
         <translation>„%1“ ist kein Tempo; möglich sind 600, 600× langsamer oder 20× schneller</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TitleBar</name>
+    <message>
+        <source>Back to the contact (Esc)</source>
+        <translation>Zurück zum Kontakt (Esc)</translation>
+    </message>
+    <message>
+        <source>back to the contact</source>
+        <translation>zurück zum Kontakt</translation>
     </message>
 </context>
 <context>

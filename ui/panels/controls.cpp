@@ -10,6 +10,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QSplitter>
 #include <QToolButton>
 
@@ -61,6 +62,12 @@ QProgressBar* thinProgress(const QString& name, int width) {
   return bar;
 }
 
+void showPart(QProgressBar& bar, double part) {
+  constexpr int kSteps = 1000;
+  bar.setRange(0, kSteps);
+  bar.setValue(static_cast<int>(kSteps * part));
+}
+
 QPlainTextEdit* fixedText(const QString& name) {
   auto* text = named<QPlainTextEdit>(name);
   text->setReadOnly(true);
@@ -110,6 +117,18 @@ TitleBar::TitleBar(const QString& closeName, QWidget* parent)
   row->addWidget(close_);
   close_->setText(QStringLiteral("✕"));
   close_->setFocusPolicy(Qt::NoFocus);
+}
+
+void TitleBar::leadBack(QWidget& page, const std::function<void()>& close,
+                        const std::function<void()>& escape) {
+  connect(close_, &QToolButton::clicked, &page, close);
+  auto* key =
+      new QShortcut(Qt::Key_Escape, &page, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+  connect(key, &QShortcut::activated, &page, escape);
+  keepTranslated(*this, [this] {
+    close_->setToolTip(tr("Back to the contact (Esc)"));
+    close_->setAccessibleName(tr("back to the contact"));
+  });
 }
 
 void TitleBar::insert(QWidget& control) {

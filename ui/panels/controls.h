@@ -2,6 +2,7 @@
 // the bar with the title of a page. GUI thread; owned by their parent. Cannot fail.
 #pragma once
 
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QMessageBox>
 #include <QPushButton>
@@ -79,6 +80,9 @@ QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways = Qt::Scrol
 /// Makes a thin bar of progress without a text.
 QProgressBar* thinProgress(const QString& name, int width = 120);
 
+/// Shows the finished part of some work, 0 to 1, in steps of a thousandth.
+void showPart(QProgressBar& bar, double part);
+
 /// Makes a text in a font of fixed width, which a user can only read.
 QPlainTextEdit* fixedText(const QString& name);
 
@@ -111,6 +115,8 @@ using FileChooser = std::function<QString(QWidget* parent, const QString& propos
 
 /// The bar with the title of a dock or a page, and at its end the button that closes it.
 class TitleBar : public QWidget {
+  Q_DECLARE_TR_FUNCTIONS(asperity::TitleBar)
+
  public:
   explicit TitleBar(const QString& closeName = {}, QWidget* parent = nullptr);
 
@@ -118,6 +124,10 @@ class TitleBar : public QWidget {
   QToolButton& closeButton() { return *close_; }
   /// Puts a control between the title and the button.
   void insert(QWidget& control);
+  /// Lets the button lead back from a page that covers the contact, and also the Escape key: close
+  /// and escape are called.
+  void leadBack(QWidget& page, const std::function<void()>& close,
+                const std::function<void()>& escape);
 
  private:
   QLabel* title_;

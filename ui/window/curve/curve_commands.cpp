@@ -357,7 +357,7 @@ std::optional<CurveSet> CurveCommands::shown() const {
 
 void CurveCommands::askSave() {
   const QString file = askSaveFile(nullptr, tr("Save curve"), "curve.png",
-                                   tr("Pictures (*.png *.svg *.pdf);;Table (*.csv)"));
+                                   pictureFilter() + ";;" + tr("Table (*.csv)"));
   if (!file.isEmpty()) save(file);
 }
 

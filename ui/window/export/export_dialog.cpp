@@ -37,7 +37,6 @@ constexpr double kMinDensity = 24;     // smallest density of a picture, pixels 
 constexpr double kMaxDensity = 1536;   // and the largest
 constexpr std::int64_t kLines = 8;     // of the curve in a preview
 constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
-constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 
 /// Returns the beginning of a table, up to the end of a line.
@@ -87,8 +86,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(previews_, &CommandRun::failed, this, &ExportDialog::previewFailed);
   connect(writing_, &CommandRun::progressed, this, [this](double part, const QString& of) {
     progress_->setFormat(of + QStringLiteral(": %p %"));
-    progress_->setRange(0, kSteps);
-    progress_->setValue(static_cast<int>(kSteps * part));
+    showPart(*progress_, part);
   });
   connect(writing_, &CommandRun::done, this, [this] {
     showRunning(false);

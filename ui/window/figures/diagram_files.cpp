@@ -46,7 +46,7 @@ void DiagramFiles::showTexts() {
 }
 
 void DiagramFiles::saveAs() {
-  QString filters = tr("Pictures (*.png *.svg *.pdf)");
+  QString filters = pictureFilter();
   if (diagram_.table) filters += ";;" + tr("Tables (*.csv)");
   const QString file = askSaveFile(&view_, saveText(), diagram_.name + ".png", filters);
   if (!file.isEmpty()) save(file);

@@ -10,10 +10,8 @@
 #include <QPalette>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QShortcut>
 #include <QSpinBox>
 #include <QSplitter>
-#include <QToolButton>
 
 #include "ui/chart/figure_drawing.h"
 #include "ui/language/language.h"
@@ -33,7 +31,6 @@ namespace asperity {
 namespace {
 
 constexpr int kMaxRealizations = 10000;
-constexpr int kSteps = 1000;  // steps of the progress bar
 
 /// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
 /// bars.
@@ -95,9 +92,6 @@ FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
   connect(picture_, &DiagramView::failed, this, [this](const LiveText& reason) {
     messages_->showFailure(MessageBar::Failure::Scene, reason);
   });
-  auto* escape =
-      new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-  connect(escape, &QShortcut::activated, this, &FiguresPage::closed);
   showChosen();
 }
 
@@ -122,12 +116,10 @@ FiguresPage::~FiguresPage() = default;
 
 QWidget* FiguresPage::makeHeading() {
   auto* heading = new TitleBar("closeFigures");
-  QToolButton& close = heading->closeButton();
-  connect(&close, &QToolButton::clicked, this, &FiguresPage::closed);
-  keepTranslated(*heading, [heading, &close] {
+  const auto close = [this] { emit closed(); };
+  heading->leadBack(*this, close, close);
+  keepTranslated(*heading, [heading] {
     heading->title().setText(tr("Figures of Li et al. (2013), computed here and now"));
-    close.setToolTip(tr("Back to the contact (Esc)"));
-    close.setAccessibleName(tr("back to the contact"));
   });
   return heading;
 }
@@ -211,7 +203,6 @@ QWidget* FiguresPage::makeCommands() {
       *row, "cancel", [] { return tr("Ca&ncel"); },
       [] { return tr("Stops this computation and all that wait"); }, [this] { queue_->cancel(); });
   progress_ = named<QProgressBar>("figureProgress");
-  progress_->setRange(0, kSteps);
   progress_->setFormat(QStringLiteral("%p %"));
   progress_->setMinimumWidth(60);
   row->addWidget(progress_, 1);
@@ -301,7 +292,7 @@ void FiguresPage::showWork() {
   progress_->setVisible(computing.has_value());
   note_->setVisible(!computing);
   if (!computing) return;
-  progress_->setValue(static_cast<int>(kSteps * queue_->status(*computing).part));
+  showPart(*progress_, queue_->status(*computing).part);
   progress_->setToolTip(figureLabel(*computing));
 }
 
@@ -326,8 +317,7 @@ void FiguresPage::computeAll() {
 }
 
 void FiguresPage::askPicture() {
-  const QString file = askSaveFile(this, tr("Save picture"), figureFile(chosen(), ".png"),
-                                   tr("Pictures (*.png *.svg *.pdf)"));
+  const QString file = askPictureFile(this, figureFile(chosen(), ".png"));
   if (!file.isEmpty()) savePicture(file);
 }
 

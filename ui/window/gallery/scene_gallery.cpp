@@ -5,7 +5,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QShortcut>
 #include <QToolButton>
 #include <algorithm>
 
@@ -69,9 +68,6 @@ SceneGallery::SceneGallery(QWidget* parent)
     if (!cards_->chosen().isEmpty() && cards_->cardCount() > 0) emit chosen(cards_->chosen());
   });
   filter_->installEventFilter(this);
-  auto* escape =
-      new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-  connect(escape, &QShortcut::activated, this, &SceneGallery::leave);
   keepTranslated(*this, [this] { showTexts(); });
 }
 
@@ -81,12 +77,8 @@ void SceneGallery::fillHeading() {
   filter_->setMinimumWidth(200);
   filter_->setTextMargins(4, 0, 0, 0);
   heading_->insert(*filter_);
-  QToolButton& close = heading_->closeButton();
-  connect(&close, &QToolButton::clicked, this, &SceneGallery::closed);
-  keepTranslated(*heading_, [&close] {
-    close.setToolTip(tr("Back to the contact (Esc)"));
-    close.setAccessibleName(tr("back to the contact"));
-  });
+  heading_->leadBack(
+      *this, [this] { emit closed(); }, [this] { leave(); });
 }
 
 void SceneGallery::addCommand(QAction& command) {

@@ -83,7 +83,6 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
 /// order of the Tab key.
 void ImportPage::addFoot(QVBoxLayout& page) {
   message_->setMinimumHeight(3 * fontMetrics().lineSpacing());
-  progress_->setRange(0, 1000);
   progress_->setAccessibleName(tr("progress of reading"));
   stop_->setAutoRaise(true);
   connect(stop_, &QToolButton::clicked, this, &ImportPage::pressStop);
@@ -117,7 +116,7 @@ void ImportPage::restart() {
 }
 
 void ImportPage::showProgress(double part) {
-  progress_->setValue(static_cast<int>(1000 * part));
+  showPart(*progress_, part);
 }
 
 void ImportPage::finish(const QString& errorText) {
@@ -132,7 +131,7 @@ void ImportPage::showFailure(const QString& reason) {
 void ImportPage::setState(State state) {
   state_ = state;
   const bool isReading = state == State::Reading, isStopped = state == State::Stopped;
-  if (isReading) progress_->setValue(0);
+  if (isReading) showPart(*progress_, 0);
   for (QWidget* part : Widgets{progressText_, progress_}) part->setVisible(isReading);
   stop_->setVisible(isReading || isStopped);
   stop_->setText(isStopped ? QStringLiteral("↻") : QStringLiteral("✕"));

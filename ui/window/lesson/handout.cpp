@@ -2,7 +2,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
-#include <QFileInfo>
 #include <QFontMetricsF>
 #include <QHashFunctions>
 #include <QMessageBox>
@@ -306,9 +305,7 @@ void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeach
         options.stop = run.stop();
         writeHandout(file.toStdString(), lesson, options);
       },
-      [this, file] {
-        showStatus([file] { return tr("Saved %1").arg(QFileInfo(file).fileName()); });
-      },
+      [this, file] { showStatus([file] { return savedText(file); }); },
       [this](const LiveText& reason) { showStatus(reason); });
   showStatus([] { return tr("The program draws the pictures and computes the answers…"); });
 }

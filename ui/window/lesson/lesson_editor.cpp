@@ -30,7 +30,6 @@
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/lesson_validation.h"
 #include "ui/window/lesson/prediction_fields.h"
-#include "ui/window/main/document_commands.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/last_session.h"
 #include "ui/window/main/window_layout.h"
@@ -414,11 +413,10 @@ bool LessonEditor::saveTo(const QString& file) {
     return false;
   }
   forgetUnsaved();
-  const QString name = QFileInfo(file).fileName();
   const QString reason = validation_->whyNotPlayed();
-  messageLabel_->setText(
-      reason.isEmpty() ? tr("Saved %1").arg(name)
-                       : tr("Saved %1 as a draft. Before it can be played: %2").arg(name, reason));
+  messageLabel_->setText(reason.isEmpty() ? savedText(file)
+                                          : tr("Saved %1 as a draft. Before it can be played: %2")
+                                                .arg(QFileInfo(file).fileName(), reason));
   return true;
 }
 
@@ -449,11 +447,16 @@ bool LessonEditor::canClose() {
     forgetUnsaved();
     return true;
   }
-  const SaveAnswer answer = askSaveChanges(questionParent(), "editorUnsaved", tr("Lesson editor"),
-                                           tr("The lesson was changed and not saved."));
-  if (answer == SaveAnswer::Discard) forgetUnsaved();
-  if (answer != SaveAnswer::Save) return answer == SaveAnswer::Discard;
-  return save();
+  switch (askSaveChanges(questionParent(), "editorUnsaved", tr("Lesson editor"),
+                         tr("The lesson was changed and not saved."))) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      forgetUnsaved();
+      return true;
+    default:
+      return false;
+  }
 }
 
 LessonEditor::Session LessonEditor::session() const {

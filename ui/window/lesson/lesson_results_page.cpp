@@ -251,8 +251,7 @@ void saveTable(ResultsDialog& page, const ClassResults& results) {
     if (path.extension() != ".csv")
       throw unknownExtension(path.string(), path.extension().string(), {".csv"});
     writeFileAtomically(path, table);
-    page.showStatus(LessonResultsPage::tr("Saved %1").arg(QFileInfo(file).fileName()),
-                    MessageKind::Note);
+    page.showStatus(savedText(file), MessageKind::Note);
   } catch (const std::exception& error) {
     page.showStatus(translatedError(error), MessageKind::Error);
   }

@@ -21,7 +21,6 @@
 #include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/commands.h"
-#include "ui/window/main/document_commands.h"
 #include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
@@ -46,9 +45,12 @@ void bringToFront(QWidget& window) {
   window.activateWindow();
 }
 
-/// Returns the setting in which answers of a lesson are kept against a crash.
-QString answersKey(const std::string& digest) {
-  return QStringLiteral("lessonAnswers/") + QString::fromStdString(digest);
+// The settings of a lesson: the answers that are kept against a crash, the file in which answers
+// were saved last, and the step at which it was left.
+constexpr QLatin1String kAnswers("lessonAnswers/"), kFiles("lessonFiles/"), kSteps("lessonSteps/");
+
+QString lessonKey(QLatin1String setting, const std::string& digest) {
+  return setting + QString::fromStdString(digest);
 }
 
 /// Keeps the answers of a lesson in place of those kept before, or forgets them where there are
@@ -57,20 +59,10 @@ void keepAnswers(const std::string& digest, const LessonResults* results) {
   if (digest.empty()) return;
   QSettings settings;
   if (results)
-    settings.setValue(answersKey(digest), QString::fromStdString(resultsJson(*results)));
+    settings.setValue(lessonKey(kAnswers, digest), QString::fromStdString(resultsJson(*results)));
   else
-    settings.remove(answersKey(digest));
+    settings.remove(lessonKey(kAnswers, digest));
   settings.sync();
-}
-
-/// Returns the setting that names the file in which answers of a lesson were saved last.
-QString resultsFileKey(const std::string& digest) {
-  return QStringLiteral("lessonFiles/") + QString::fromStdString(digest);
-}
-
-/// Returns the setting with the step at which a lesson was left.
-QString stepKey(const std::string& digest) {
-  return QStringLiteral("lessonSteps/") + QString::fromStdString(digest);
 }
 
 /// Returns the step at which to go on with these answers: the one that was left, or that of the
@@ -78,7 +70,7 @@ QString stepKey(const std::string& digest) {
 int stepToGoOn(const LessonResults& results) {
   int last = 0;
   for (const LessonResult& one : results.results) last = std::max(last, one.step);
-  return QSettings().value(stepKey(results.digest), last).toInt();
+  return QSettings().value(lessonKey(kSteps, results.digest), last).toInt();
 }
 
 /// Returns whether the answers can be those to the questions of a lesson.
@@ -104,7 +96,7 @@ std::optional<LessonResults> answersTo(const Lesson& lesson,
 }  // namespace
 
 std::optional<LessonResults> keptAnswers(const Lesson& lesson) {
-  const QString kept = QSettings().value(answersKey(lesson.digest)).toString();
+  const QString kept = QSettings().value(lessonKey(kAnswers, lesson.digest)).toString();
   return answersTo(lesson, [&] { return parseResults(kept.toStdString(), {}); });
 }
 
@@ -120,7 +112,7 @@ Lessons::Lessons(const Parts& parts, MessageBar& messages)
   connect(player_, &LessonPlayer::savingRequested, this, &Lessons::askResultsFile);
   connect(player_, &LessonPlayer::endRequested, this, &Lessons::leave);
   connect(player_, &LessonPlayer::stepShown, this, [this] {
-    if (isRemembered()) QSettings().setValue(stepKey(lesson()->digest), step());
+    if (isRemembered()) QSettings().setValue(lessonKey(kSteps, lesson()->digest), step());
     emit stepShown();
   });
 }
@@ -323,7 +315,7 @@ void Lessons::setResultsFile(const QString& file) {
   resultsFile_ = file;
   isSaved_ = true;
   if (isRemembered())
-    QSettings().setValue(resultsFileKey(lesson()->digest), QFileInfo(file).absoluteFilePath());
+    QSettings().setValue(lessonKey(kFiles, lesson()->digest), QFileInfo(file).absoluteFilePath());
 }
 
 /// Offers the answers of an earlier session, and returns their file; those that are in no file come
@@ -345,7 +337,7 @@ QString Lessons::offerAnswers(const Lesson& lesson) {
 
 /// Offers the answers in the file of the last time. Who begins anew is not asked again.
 QString Lessons::offerSavedAnswers(const Lesson& lesson) {
-  const QString file = QSettings().value(resultsFileKey(lesson.digest)).toString();
+  const QString file = QSettings().value(lessonKey(kFiles, lesson.digest)).toString();
   const auto saved = answersTo(lesson, [&] { return readResultsFile(file.toStdString()); });
   if (!saved) return {};
   if (wantsToGoOn("savedAnswersQuestion",
@@ -355,7 +347,7 @@ QString Lessons::offerSavedAnswers(const Lesson& lesson) {
     left_[lesson.digest] = *saved;
     return file;
   }
-  QSettings().remove(resultsFileKey(lesson.digest));
+  QSettings().remove(lessonKey(kFiles, lesson.digest));
   return {};
 }
 
@@ -391,16 +383,15 @@ bool Lessons::mayLeave() {
   switch (askSaveChanges(&parts_.window, "resultsQuestion", tr("Asperity"),
                          tr("Save your answers?"),
                          tr("They go into a file of your choice. Otherwise they are lost."))) {
-    case SaveAnswer::Save:
+    case QMessageBox::Save:
       askResultsFile();
       return isSaved_;
-    case SaveAnswer::Discard:
+    case QMessageBox::Discard:
       isSaved_ = true;  // the lesson goes on with them where it does not end after all
       return true;
-    case SaveAnswer::Cancel:
-      break;
+    default:
+      return false;
   }
-  return false;
 }
 
 bool Lessons::canClose() {

@@ -203,30 +203,13 @@ bool DocumentCommands::maybeSave(const SceneState& state) {
                          tr("“%1” was changed. Save the changes?").arg(name),
                          tr("They are saved in %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
                              tr("Otherwise they are lost."))) {
-    case SaveAnswer::Save:
+    case QMessageBox::Save:
       return isPresent ? saveTo(state.origin.file) : write(file, state.scene);
-    case SaveAnswer::Discard:
+    case QMessageBox::Discard:
       if (isPresent) document_.revert();
       return true;
-    case SaveAnswer::Cancel:
-      break;
-  }
-  return false;
-}
-
-SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
-                          const QString& question, const QString& explanation) {
-  switch (ask(parent, {name, title, question, explanation},
-              {{QMessageBox::Save, DocumentCommands::tr("&Save")},
-               {QMessageBox::Discard, DocumentCommands::tr("&Discard")},
-               {QMessageBox::Cancel, DocumentCommands::tr("&Cancel")}},
-              QMessageBox::Save)) {
-    case QMessageBox::Save:
-      return SaveAnswer::Save;
-    case QMessageBox::Discard:
-      return SaveAnswer::Discard;
     default:
-      return SaveAnswer::Cancel;
+      return false;
   }
 }
 

@@ -74,12 +74,6 @@ class DocumentCommands : public QObject {
   BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
 
-enum class SaveAnswer { Save, Discard, Cancel };
-
-/// Asks whether unsaved changes are to be saved, in plain text. name: of the dialog as an object.
-SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
-                          const QString& question, const QString& explanation = {});
-
 /// The recent files, the newest first, as absolute paths, kept in the user's settings. Files that
 /// no longer exist are left out.
 inline constexpr int kMaxRecentFiles = 8;

@@ -151,7 +151,7 @@ void Exports::showSuccess(const LiveText& text) {
 }
 
 void Exports::showSaved(const QString& file) {
-  showSuccess([file] { return tr("Saved %1").arg(QFileInfo(file).fileName()); });
+  showSuccess([file] { return savedText(file); });
 }
 
 void Exports::showFailure(const LiveText& reason) const {
@@ -186,8 +186,7 @@ void Exports::copyPicture() {
 void Exports::askPicture() {
   if (parts_.pages.isShowingFigures()) return parts_.pages.figuresPage().askPicture();
   if (!hasPicture()) return;
-  const QString file = askSaveFile(&parts_.window, tr("Save picture"), "contact.png",
-                                   tr("Pictures (*.png *.svg *.pdf)"));
+  const QString file = askPictureFile(&parts_.window, "contact.png");
   if (!file.isEmpty()) savePicture(file);
 }
 

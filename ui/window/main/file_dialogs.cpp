@@ -52,6 +52,18 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
   return file;
 }
 
+QString pictureFilter() {
+  return FileDialogs::tr("Pictures (*.png *.svg *.pdf)");
+}
+
+QString askPictureFile(QWidget* parent, const QString& name) {
+  return askSaveFile(parent, FileDialogs::tr("Save picture"), name, pictureFilter());
+}
+
+QString savedText(const QString& file) {
+  return FileDialogs::tr("Saved %1").arg(QFileInfo(file).fileName());
+}
+
 QString askOpenFile(QWidget* parent, const QString& title, const QString& place,
                     const QString& filters, QFileDialog::Options options) {
   const QString file =
@@ -65,6 +77,15 @@ QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& p
   const QStringList files = QFileDialog::getOpenFileNames(parent, title, place, filters);
   rememberFolder(files.value(0));
   return files;
+}
+
+SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
+                          const QString& question, const QString& explanation) {
+  return ask(parent, {name, title, question, explanation},
+             {{QMessageBox::Save, FileDialogs::tr("&Save")},
+              {QMessageBox::Discard, FileDialogs::tr("&Discard")},
+              {QMessageBox::Cancel, FileDialogs::tr("&Cancel")}},
+             QMessageBox::Save);
 }
 
 bool askReplace(QWidget* parent, const QString& title, const QString& question) {

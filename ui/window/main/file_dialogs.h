@@ -1,8 +1,9 @@
-// The dialogs in which the user names files to open or to save, and the folder in which they begin.
-// GUI thread.
+// The dialogs in which the user names files to open or to save, the questions before files are
+// replaced or changes are lost, and the folder in which the dialogs begin. GUI thread.
 #pragma once
 
 #include <QFileDialog>
+#include <QMessageBox>
 #include <QString>
 #include <QStringList>
 
@@ -21,6 +22,19 @@ QString askOpenFile(QWidget* parent, const QString& title, const QString& place,
                     const QString& filters, QFileDialog::Options options = {});
 QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& place,
                          const QString& filters);
+
+/// Returns the filter of the pictures that the window writes.
+QString pictureFilter();
+/// Asks for a file for such a picture, as askSaveFile() does.
+QString askPictureFile(QWidget* parent, const QString& name);
+/// Returns "Saved contact.png", without the folder.
+QString savedText(const QString& file);
+
+/// Asks whether unsaved changes are to be saved, in plain text: Save, Discard or Cancel. name: of
+/// the dialog as an object.
+using SaveAnswer = QMessageBox::StandardButton;
+SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
+                          const QString& question, const QString& explanation = {});
 
 /// Asks whether files may be replaced.
 bool askReplace(QWidget* parent, const QString& title, const QString& question);

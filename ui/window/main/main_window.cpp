@@ -6,7 +6,6 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -36,6 +35,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/frame_display.h"
 #include "ui/window/main/help_commands.h"
 #include "ui/window/main/last_session.h"
@@ -414,9 +414,8 @@ void MainWindow::connectCurve() {
   const auto succeeds = [this](MessageBar::Failure source) {
     return [this, source] { messages_->end(source); };
   };
-  connect(documents_, &DocumentCommands::saved, this, [this](const QString& file) {
-    status_->showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
-  });
+  connect(documents_, &DocumentCommands::saved, this,
+          [this](const QString& file) { status_->showMessage(savedText(file)); });
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
     const bool isVelocity = scene.sweep.isOfVelocity();

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kWorkBarWidth = 90;  // pixels of the progress bar
 constexpr int kWorkSpacing = 4;    // pixels between the progress bar and its button
-constexpr int kWorkSteps = 1000;   // of the progress bar
 
 const QString kStopSign = QStringLiteral("✕"), kRestartSign = QStringLiteral("↻");
 
@@ -63,8 +62,10 @@ void WorkIndicator::showWork(const Work& work) {
   work_ = work;
   const bool isWaiting = work.state == Work::State::Waiting;
   const bool isStopped = work.state == Work::State::Stopped;
-  progress_->setRange(0, isWaiting ? 0 : kWorkSteps);
-  progress_->setValue(static_cast<int>(kWorkSteps * work.progress));
+  if (isWaiting)
+    progress_->setRange(0, 0);
+  else
+    showPart(*progress_, work.progress);
   progress_->setAccessibleName(isWaiting ? tr("making the line") : tr("progress of the curve"));
   button_->setText(isStopped ? kRestartSign : kStopSign);
   const QString text = isWaiting   ? tr("Making the line… Back to the previous scene")
