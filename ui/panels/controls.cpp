@@ -41,6 +41,12 @@ QSplitter* thinSplitter(Qt::Orientation orientation, const QString& name) {
   return splitter;
 }
 
+void keepSpaceWhenHidden(QWidget& widget, bool keeps) {
+  QSizePolicy policy = widget.sizePolicy();
+  policy.setRetainSizeWhenHidden(keeps);
+  widget.setSizePolicy(policy);
+}
+
 void setRowShown(QFormLayout& form, QWidget* field, bool isShown) {
   field->setVisible(isShown);
   if (QWidget* label = form.labelForField(field)) label->setVisible(isShown);

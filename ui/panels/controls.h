@@ -71,6 +71,9 @@ QWidget& orderTabs(QWidget& before, const QLayout& layout);
 /// Makes a splitter with a thin handle, none of whose parts can be closed.
 QSplitter* thinSplitter(Qt::Orientation orientation, const QString& name = {});
 
+/// Sets whether a layout keeps the space of a widget while it is hidden, so that nothing moves.
+void keepSpaceWhenHidden(QWidget& widget, bool keeps = true);
+
 /// Shows or hides a field of a form with its label.
 void setRowShown(QFormLayout& form, QWidget* field, bool isShown);
 

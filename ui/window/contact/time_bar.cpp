@@ -106,9 +106,7 @@ TimeBar::TimeBar(QWidget* parent)
   row->addStretch(0);
   // A sign alone, for which space is kept: nothing moves when the computer falls behind.
   behindText_->setText(QStringLiteral("⚠"));
-  QSizePolicy keepsSpace = behindText_->sizePolicy();
-  keepsSpace.setRetainSizeWhenHidden(true);
-  behindText_->setSizePolicy(keepsSpace);
+  keepSpaceWhenHidden(*behindText_);
   behindText_->hide();
   row->addWidget(behindText_);
   row->addWidget(name_);

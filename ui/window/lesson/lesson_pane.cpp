@@ -92,9 +92,7 @@ void LessonPane::buildFoot() {
   foot->setSpacing(6);
   foot->addWidget(progress_, 1);
   for (QPushButton* one : {back_, show_, next_}) foot->addWidget(one);
-  QSizePolicy kept = show_->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);
-  show_->setSizePolicy(kept);
+  keepSpaceWhenHidden(*show_);
   connect(back_, &QPushButton::clicked, this, &LessonPane::backRequested);
   connect(show_, &QPushButton::clicked, this, &LessonPane::solutionRequested);
   connect(next_, &QPushButton::clicked, this, [this] {

@@ -338,9 +338,7 @@ void StatusLine::fitReadings() {
   // A message takes the place of work that does not run, and of the less important readings.
   const bool hasMessage = messageTimer_->isActive();
   const bool keepsWork = !hasMessage || work_->work().state != Work::State::Idle;
-  QSizePolicy policy = work_->sizePolicy();
-  policy.setRetainSizeWhenHidden(keepsWork);
-  work_->setSizePolicy(policy);
+  keepSpaceWhenHidden(*work_, keepsWork);
   if (keepsWork) available -= work;
   if (hasMessage)
     available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();
