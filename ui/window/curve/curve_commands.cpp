@@ -25,6 +25,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/exports.h"
 #include "ui/window/main/file_dialogs.h"
+#include "ui/window/main/message_bar.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -33,8 +34,8 @@ namespace {
 
 constexpr double kZoom = 1.5;  // factor of one command
 
-}  // namespace
-
+/// Computes the whole curve of a scene, as the chart pins it. Throws as computeCurve() does, and
+/// StopRequested where it was stopped.
 std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
                                                      const std::stop_token& stop) {
   Curve curve = computeCurve(scene, {.stop = stop});
@@ -47,8 +48,28 @@ std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
   return update;
 }
 
-CurveCommands::CurveCommands(Session& session, ChartView& view, Exports& exports, QObject* parent)
-    : QObject(parent), session_(session), view_(view), exports_(exports) {
+}  // namespace
+
+void pinCurves(Session& session, BackgroundWork& work, std::function<std::vector<Scene>()> scenes,
+               BackgroundWork::Failed failed) {
+  using Curves = std::vector<std::shared_ptr<const CurveUpdate>>;
+  work.request(
+      [scenes = std::move(scenes)](const BackgroundWork::Run& run) {
+        Curves curves;
+        for (const Scene& scene : scenes()) curves.push_back(computeCurveToPin(scene, run.stop()));
+        return curves;
+      },
+      [&session](const Curves& curves) {
+        session.editCurve([&](FrictionChartModel& plot) {
+          for (const auto& curve : curves) plot.pin(curve);
+        });
+      },
+      std::move(failed));
+}
+
+CurveCommands::CurveCommands(Session& session, ChartView& view, Exports& exports,
+                             MessageBar& messages, QObject* parent)
+    : QObject(parent), session_(session), view_(view), exports_(exports), messages_(messages) {
   pin_ = add(
       "pinCurve", [] { return tr("Pin curve"); },
       [this] { session_.editCurve([](FrictionChartModel& plot) { plot.pin(); }); },
@@ -279,24 +300,18 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
   const Scene scene = session_.scene();
   ParameterRange range = usualRange(parameter, scene);
   range.points = familySize_;
-  work_.request(
-      [scene, range](const BackgroundWork::Run& run) {
-        std::vector<std::shared_ptr<const CurveUpdate>> family;
-        for (const double value : rangeValues(range)) {
-          Scene member = scene;
-          member.sweep.key = std::string(range.key());
-          member = withSweptValue(member, value);
-          member.sweep.key = scene.sweep.key;
-          family.push_back(computeCurveToPin(member, run.stop()));
-        }
-        return family;
-      },
-      [this](const std::vector<std::shared_ptr<const CurveUpdate>>& family) {
-        session_.editCurve([&](FrictionChartModel& plot) {
-          for (const auto& curve : family) plot.pin(curve);
-        });
-      },
-      [this](const LiveText& reason) { emit failed(reason); });
+  const auto family = [scene, range] {
+    std::vector<Scene> members;
+    for (const double value : rangeValues(range)) {
+      Scene member = scene;
+      member.sweep.key = std::string(range.key());
+      member = withSweptValue(member, value);
+      member.sweep.key = scene.sweep.key;
+      members.push_back(member);
+    }
+    return members;
+  };
+  pinCurves(session_, work_, family, messages_.failureReporter(MessageBar::Failure::Comparison));
 }
 
 // ---- Files and pictures

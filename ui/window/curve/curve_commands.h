@@ -1,17 +1,15 @@
 // The commands of the friction diagram: pins, axes, view, files. Each is an action with a name and,
-// where it has one, a key. GUI thread; owned by its parent. Failure: the exporter reports it.
+// where it has one, a key. GUI thread; owned by its parent. Failure: the message bar shows the
+// reason.
 #pragma once
 
 #include <QObject>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <stop_token>
+#include <vector>
 
 #include "core/chart/curve_set.h"
-#include "core/run/runner.h"
 #include "core/scene/parameters.h"
-#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 class QAction;
@@ -21,18 +19,20 @@ namespace asperity {
 
 class ChartView;
 class Exports;
+class MessageBar;
 class Session;
 
-/// Computes the whole curve of a scene, as the chart pins it. Throws as computeCurve() does, and
-/// StopRequested where it was stopped. Any thread.
-std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
-                                                     const std::stop_token& stop);
+/// Computes the whole curves of some scenes in the background, and then pins them. scenes: called
+/// on the worker's thread.
+void pinCurves(Session& session, BackgroundWork& work, std::function<std::vector<Scene>()> scenes,
+               BackgroundWork::Failed failed);
 
 class CurveCommands : public QObject {
   Q_OBJECT
 
  public:
-  CurveCommands(Session& session, ChartView& view, Exports& exports, QObject* parent);
+  CurveCommands(Session& session, ChartView& view, Exports& exports, MessageBar& messages,
+                QObject* parent);
 
   /// Adds all commands to the menu, and most of them to the view's context menu; call it once.
   void fill(QMenu& menu);
@@ -56,8 +56,6 @@ class CurveCommands : public QObject {
   void axisChosen(const asperity::Scene& scene);
   /// Emitted when the user requests the guide about the object under the pointer.
   void guideRequested(const QString& anchor);
-  /// Emitted when a family could not be computed.
-  void failed(const asperity::LiveText& reason);
 
  private:
   /// Returns a text in the language of the window.
@@ -77,6 +75,7 @@ class CurveCommands : public QObject {
   Session& session_;
   ChartView& view_;
   Exports& exports_;
+  MessageBar& messages_;
   QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_, *guide_;
   QAction *linearX_, *linearY_;
   QMenu* unpin_ = nullptr;

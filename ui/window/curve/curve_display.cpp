@@ -20,6 +20,7 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve/curve_commands.h"
+#include "ui/window/main/message_bar.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -101,8 +102,8 @@ void CurveDisplay::setSwept(double value) {
 
 // ---- What is computed beside the curve
 
-CurveComparison::CurveComparison(Session& session, QObject* parent)
-    : QObject(parent), session_(session) {
+CurveComparison::CurveComparison(Session& session, MessageBar& messages, QObject* parent)
+    : QObject(parent), session_(session), messages_(messages) {
   connect(&session_, &Session::plotChanged, this, &CurveComparison::update);
 }
 
@@ -129,17 +130,17 @@ void CurveComparison::update() {
         options.stop = run.stop();
         options.progress = [&](const CurveDifference& part) {
           run.post([this, part = std::make_shared<const CurveDifference>(part)] {
-            emit shown();
+            messages_.end(MessageBar::Failure::Comparison);
             session_.editCurve([&](FrictionChartModel& plot) { plot.showDifference(*part); });
           });
         };
         curveDifference(scene, setting, options);
       },
-      [] {}, [this](const LiveText& reason) { emit failed(reason); });
+      [] {}, messages_.failureReporter(MessageBar::Failure::Comparison));
 }
 
-SceneComparisons::SceneComparisons(Session& session, QObject* parent)
-    : QObject(parent), session_(session) {
+SceneComparisons::SceneComparisons(Session& session, MessageBar& messages, QObject* parent)
+    : QObject(parent), session_(session), messages_(messages) {
   connect(&session_, &Session::plotChanged, this, &SceneComparisons::update);
 }
 
@@ -164,10 +165,10 @@ void SceneComparisons::update() {
         return std::shared_ptr<const CurveSet>(std::move(set));
       },
       [this, scene](const std::shared_ptr<const CurveSet>& set) {
-        emit shown();
+        messages_.end(MessageBar::Failure::Files);
         session_.editCurve([&](FrictionChartModel& plot) { plot.showComparisons(scene, *set); });
       },
-      [this](const LiveText& reason) { emit failed(reason); });
+      messages_.failureReporter(MessageBar::Failure::Files));
 }
 
 // ---- The lists at the axes

@@ -4,7 +4,7 @@
 // to time. Beside the present curve, each on a thread of its own, are computed: the difference of
 // another setting, and the theories and measured friction that the scene names. That work begins
 // when the scene's own curve is complete, because that comes first. GUI thread; owned by their
-// parent. Failure: `failed` gives one sentence; the next change tries again.
+// parent. Failure: the message bar shows the reason; the next change tries again.
 #pragma once
 
 #include <QObject>
@@ -18,7 +18,6 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/scene.h"
 #include "ui/chart/chart_view.h"
-#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 namespace asperity {
@@ -26,6 +25,7 @@ namespace asperity {
 class AxisBox;
 class ChartView;
 class CurveCommands;
+class MessageBar;
 class Session;
 
 /// What the axes of the curve show. A zoomed range belongs to them.
@@ -70,20 +70,16 @@ class CurveComparison : public QObject {
   Q_OBJECT
 
  public:
-  CurveComparison(Session& session, QObject* parent);
+  CurveComparison(Session& session, MessageBar& messages, QObject* parent);
 
   /// Sets the other setting; none: no comparison.
   void setSetting(const std::optional<CurveSetting>& setting);
-
- signals:
-  void failed(const asperity::LiveText& reason);
-  /// Emitted when part of a difference is available, so that an earlier failure is over.
-  void shown();
 
  private:
   void update();
 
   Session& session_;
+  MessageBar& messages_;
   std::optional<CurveSetting> setting_;
   std::optional<Scene> compared_;  // the scene of the last comparison
   BackgroundWork work_;            // last: its thread ends before other members are destroyed
@@ -94,17 +90,13 @@ class SceneComparisons : public QObject {
   Q_OBJECT
 
  public:
-  SceneComparisons(Session& session, QObject* parent);
-
- signals:
-  void failed(const asperity::LiveText& reason);
-  /// Emitted when comparisons are shown: an earlier failure is over.
-  void shown();
+  SceneComparisons(Session& session, MessageBar& messages, QObject* parent);
 
  private:
   void update();
 
   Session& session_;
+  MessageBar& messages_;
   std::optional<Scene> compared_;               // the scene of the last comparison
   CurveQuantity quantity_ = CurveQuantity::Mu;  // of the last comparison
   BackgroundWork work_;  // last: its thread ends before other members are destroyed

@@ -89,9 +89,8 @@ FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
     else
       showWork();
   });
-  connect(picture_, &DiagramView::failed, this, [this](const LiveText& reason) {
-    messages_->showFailure(MessageBar::Failure::Scene, reason);
-  });
+  connect(picture_, &DiagramView::failed, messages_,
+          messages_->failureReporter(MessageBar::Failure::Scene));
   showChosen();
 }
 

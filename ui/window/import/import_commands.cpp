@@ -291,9 +291,7 @@ void ImportCommands::openDropped(const QString& file) {
                       return;
                   }
                 },
-                [this](const LiveText& reason) {
-                  parts_.messages.showFailure(MessageBar::Failure::Files, reason);
-                });
+                parts_.messages.failureReporter(MessageBar::Failure::Files));
 }
 
 }  // namespace asperity

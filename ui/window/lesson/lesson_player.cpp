@@ -270,19 +270,13 @@ void LessonPlayer::showChart() {
 void LessonPlayer::showBeside() {
   const LessonStep& step = present();
   if (step.show.beside.empty()) return;
-  comparisons_.request(
-      [scene = step.scene, beside = step.show.beside](const BackgroundWork::Run& run) {
-        std::vector<std::shared_ptr<const CurveUpdate>> curves;
-        for (const std::vector<std::string>& keys : beside)
-          curves.push_back(computeCurveToPin(withKeys(scene, keys), run.stop()));
-        return curves;
-      },
-      [this](const std::vector<std::shared_ptr<const CurveUpdate>>& curves) {
-        parts_.session.editCurve([&](FrictionChartModel& plot) {
-          for (const auto& curve : curves) plot.pin(curve);
-        });
-      },
-      [this](const QString& reason) { pane_->showNote(reason); });
+  const auto scenes = [scene = step.scene, beside = step.show.beside] {
+    std::vector<Scene> changed;
+    for (const std::vector<std::string>& keys : beside) changed.push_back(withKeys(scene, keys));
+    return changed;
+  };
+  pinCurves(parts_.session, comparisons_, scenes,
+            [this](const QString& reason) { pane_->showNote(reason); });
 }
 
 /// Shows the point of the answer on the chart, or asks for it.

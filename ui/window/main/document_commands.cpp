@@ -112,9 +112,7 @@ void DocumentCommands::openFile(const QString& file) {
   }
   reading_.request([file](const BackgroundWork::Run&) { return findScene(file.toStdString()); },
                    [this, file](const FoundScene& found) { showFound(file, found); },
-                   [this](const LiveText& reason) {
-                     messages_.showFailure(MessageBar::Failure::Files, reason);
-                   });
+                   messages_.failureReporter(MessageBar::Failure::Files));
 }
 
 void DocumentCommands::showFound(const QString& file, const FoundScene& found) {

@@ -245,7 +245,7 @@ void MainWindow::buildCommands() {
   help_ = new HelpCommands(*this, *messages_);
   help_->addTo(*commands_);
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {Qt::CTRL | Qt::Key_Q}});
-  curveCommands_ = new CurveCommands(*session_, tabs_->plot(), *exports_, this);
+  curveCommands_ = new CurveCommands(*session_, tabs_->plot(), *exports_, *messages_, this);
   exports_->setCurves(*curveCommands_);
   new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
 }
@@ -407,13 +407,6 @@ void MainWindow::step(bool finely) {
 // ---- The friction curve
 
 void MainWindow::connectCurve() {
-  // Error messages stay in the bar until their source succeeds again.
-  const auto fails = [this](MessageBar::Failure source) {
-    return [this, source](const LiveText& reason) { messages_->showFailure(source, reason); };
-  };
-  const auto succeeds = [this](MessageBar::Failure source) {
-    return [this, source] { messages_->end(source); };
-  };
   connect(documents_, &DocumentCommands::saved, this,
           [this](const QString& file) { status_->showMessage(savedText(file)); });
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
@@ -426,15 +419,10 @@ void MainWindow::connectCurve() {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
   connect(curveCommands_, &CurveCommands::guideRequested, help_, &HelpCommands::openGuide);
-  connect(curveCommands_, &CurveCommands::failed, this, fails(MessageBar::Failure::Comparison));
-  auto* comparison = new CurveComparison(*session_, this);
+  auto* comparison = new CurveComparison(*session_, *messages_, this);
   connect(&tabs_->accuracy(), &AccuracyPanel::comparisonChanged, this,
           [this, comparison] { comparison->setSetting(tabs_->accuracy().comparison()); });
-  connect(comparison, &CurveComparison::failed, this, fails(MessageBar::Failure::Comparison));
-  connect(comparison, &CurveComparison::shown, this, succeeds(MessageBar::Failure::Comparison));
-  auto* beside = new SceneComparisons(*session_, this);
-  connect(beside, &SceneComparisons::failed, this, fails(MessageBar::Failure::Files));
-  connect(beside, &SceneComparisons::shown, this, succeeds(MessageBar::Failure::Files));
+  new SceneComparisons(*session_, *messages_, this);
 }
 
 // ---- Language, dropped files, closing

@@ -159,6 +159,10 @@ void MessageBar::showFailure(Failure source, const LiveText& text) {
   markParameter();
 }
 
+std::function<void(const LiveText& reason)> MessageBar::failureReporter(Failure source) {
+  return [this, source](const LiveText& reason) { showFailure(source, reason); };
+}
+
 bool MessageBar::end(Failure source) {
   if (isHidden() || failure_ != source) return false;
   hide();

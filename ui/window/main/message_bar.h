@@ -36,6 +36,8 @@ class MessageBar : public QFrame {
   /// whether the message was visible.
   enum class Failure { None, Scene, Files, Export, Comparison };
   void showFailure(Failure source, const LiveText& text);
+  /// Returns a function that does the same with the reason that it is given, for BackgroundWork.
+  std::function<void(const LiveText& reason)> failureReporter(Failure source);
   bool end(Failure source);
   /// Runs what may throw: shows why it fails, or removes the message of its source. Returns whether
   /// it succeeded.
