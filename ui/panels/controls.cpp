@@ -18,6 +18,14 @@
 
 namespace asperity {
 
+QHBoxLayout* buttonRow(Widgets left, Widgets right) {
+  auto* row = new QHBoxLayout;
+  for (QWidget* button : left) row->addWidget(button);
+  row->addStretch(1);
+  for (QWidget* button : right) row->addWidget(button);
+  return row;
+}
+
 QWidget& orderTabs(QWidget& before, const QLayout& layout) {
   QWidget* last = &before;
   for (int i = 0; i < layout.count(); ++i) {

@@ -13,6 +13,7 @@
 #include <utility>
 
 class QAction;
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QPlainTextEdit;
@@ -54,6 +55,10 @@ QPushButton* pageButton(const QString& name, const QString& text, Receiver* rece
 
 /// Widgets of several kinds, for a loop over them.
 using Widgets = std::initializer_list<QWidget*>;
+
+/// Makes the row of buttons at the foot of a page, some of them at its left and some at its right
+/// end.
+QHBoxLayout* buttonRow(Widgets left, Widgets right);
 
 /// Makes a layout without margins. spacing: pixels between its items; -1: as the style says.
 template <class Layout>

@@ -68,12 +68,9 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   auto* close = pageButton("contactWordsClose", tr("C&lose"), this, &QDialog::close);
   connect(new QShortcut(Qt::CTRL | Qt::Key_D, this), &QShortcut::activated, this,
           &ContactWords::refresh);
-  auto* foot = new QHBoxLayout;
-  foot->addStretch(1);
-  for (QPushButton* button : {renew, copy, close}) foot->addWidget(button);
   auto* column = new QVBoxLayout(this);
   column->addWidget(text_, 1);
-  column->addLayout(foot);
+  column->addLayout(buttonRow({}, {renew, copy, close}));
   resize(600, 260);
   text_->setFocus();
 }

@@ -156,11 +156,7 @@ QLayout* LessonEditor::buildFoot() {
   auto* saveAs = pageButton("editorSaveAs", tr("Sa&ve as…"), this, &LessonEditor::askAndSave);
   auto* save = pageButton("editorSave", tr("&Save"), this, &LessonEditor::save);
   save->setToolTip(tr("Also saves a lesson that is not complete yet (Ctrl+S)"));
-  auto* foot = new QHBoxLayout;
-  for (QPushButton* one : {open, handout_, undo_, redo_}) foot->addWidget(one);
-  foot->addStretch(1);
-  for (QPushButton* one : {close, try_, saveAs, save}) foot->addWidget(one);
-  return foot;
+  return buttonRow({open, handout_, undo_, redo_}, {close, try_, saveAs, save});
 }
 
 /// Uses the lesson as its file would be read, or shows what is wrong: a scene that it names may

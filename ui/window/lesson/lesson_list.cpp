@@ -106,12 +106,7 @@ QLayout* LessonList::buildFoot() {
     accept();
   });
   close_ = pageButton("lessonClose", {}, this, &QDialog::reject);
-  auto* foot = new QHBoxLayout;
-  for (QPushButton* one : {open_, edit_, handout_}) foot->addWidget(one);
-  foot->addStretch(1);
-  foot->addWidget(close_);
-  foot->addWidget(start_);
-  return foot;
+  return buttonRow({open_, edit_, handout_}, {close_, start_});
 }
 
 void LessonList::showTexts() {
