@@ -98,6 +98,14 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
               colours.color(QPalette::Text), size);
 }
 
+void chooseWord(QComboBox& box, const QString& word) {
+  if (const int index = box.findData(word); index >= 0) box.setCurrentIndex(index);
+}
+
+QString chosenWord(const QComboBox& box) {
+  return box.currentData().toString();
+}
+
 void drawChevron(QPainter& painter, const QPointF& centre, Chevron direction, const QColor& colour,
                  double size) {
   QPolygonF line{QPointF(-3.5, -2), QPointF(0, 2), QPointF(3.5, -2)};

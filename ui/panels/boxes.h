@@ -45,6 +45,11 @@ class ChoiceBox : public QComboBox {
   bool isListNamed_ = false;  // whether nameList() was called
 };
 
+/// Chooses the entry of a list that has this word as its data, if there is one.
+void chooseWord(QComboBox& box, const QString& word);
+/// Returns the word of the chosen entry.
+QString chosenWord(const QComboBox& box);
+
 class SpinBox : public QSpinBox {
  public:
   explicit SpinBox(QWidget* parent = nullptr);

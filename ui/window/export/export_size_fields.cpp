@@ -68,14 +68,6 @@ QString machineNumber(const QLineEdit& entry) {
   return withoutGroups(entry.text().trimmed());
 }
 
-void chooseWord(QComboBox& box, const QString& word) {
-  if (const int index = box.findData(word); index >= 0) box.setCurrentIndex(index);
-}
-
-QString chosenWord(const QComboBox& box) {
-  return box.currentData().toString();
-}
-
 ExportSizeFields::ExportSizeFields(QFormLayout& rows, const RenderCommandOptions& shown)
     : QObject(rows.parentWidget()), rows_(rows), shown_(shown) {
   preset_ = addField<ChoiceBox>(rows_, "exportPreset", tr("S&ize"));

@@ -84,8 +84,4 @@ class ExportSizeFields : public QObject {
 /// thousands.
 QString machineNumber(const QLineEdit& entry);
 
-/// Chooses the entry with this word, if there is one.
-void chooseWord(QComboBox& box, const QString& word);
-QString chosenWord(const QComboBox& box);
-
 }  // namespace asperity

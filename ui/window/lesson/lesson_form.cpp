@@ -152,7 +152,7 @@ QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
     if (box->findData(written) < 0) box->addItem(written, written);
     box->setCurrentIndex(box->findData(written));
     connect(box, &QComboBox::activated, this,
-            [this, index, box] { write(index, box->currentData().toString()); });
+            [this, index, box] { write(index, chosenWord(*box)); });
     return box;
   };
   if (const auto* choice = std::get_if<ChoiceField>(&row.field))

@@ -124,8 +124,8 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
     showText(*title_, step.title);
     showText(*text_, step.text);
     set_->show(step.set, step.scene);
-    tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
-    quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
+    chooseWord(*tab_, QString::fromStdString(step.show.tab));
+    chooseWord(*quantity_, QString::fromStdString(step.show.quantity));
     prediction_->show(step);
     showControls();
   });
@@ -135,8 +135,8 @@ void LessonStepPage::take(LessonStep& step) const {
   write(step.title, title_->text());
   write(step.text, plainText(*text_));
   step.set = set_->assignments();
-  step.show.tab = tab_->currentData().toString().toStdString();
-  step.show.quantity = quantity_->currentData().toString().toStdString();
+  step.show.tab = chosenWord(*tab_).toStdString();
+  step.show.quantity = chosenWord(*quantity_).toStdString();
   step.controls = chosen_;
   prediction_->take(step);
 }

@@ -10,6 +10,7 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
+#include "ui/panels/boxes.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/parameter_text.h"
 #include "ui/window/lesson/lesson_form.h"
@@ -119,7 +120,7 @@ void LessonValueFields::showRows() {
 /// ten times as much.
 void LessonValueFields::proposeEnds() {
   if (kind_->currentIndex() != kExponent || (rangeEnd(*from_) > 0 && rangeEnd(*to_) > 0)) return;
-  const std::string key = key_->currentData().toString().toStdString();
+  const std::string key = chosenWord(*key_).toStdString();
   const Parameter* row = findParameter(key);
   if (!row || !std::holds_alternative<RealField>(row->field)) return;
   const double present = std::get<double>(parameterValue(*row, scene_));
@@ -132,12 +133,12 @@ void LessonValueFields::proposeEnds() {
 
 /// Returns the value in SI; 0 where it cannot be read, which is a mistake of the lesson.
 double LessonValueFields::rangeEnd(const QLineEdit& entry) const {
-  return parseKeyValue(key_->currentData().toString().toStdString(), entry.text()).value_or(0);
+  return parseKeyValue(chosenWord(*key_).toStdString(), entry.text()).value_or(0);
 }
 
 LessonValue LessonValueFields::edited(const LessonValue& before) const {
   LessonValue value = before;
-  value.column = column_->currentData().toString().toStdString();
+  value.column = chosenWord(*column_).toStdString();
   value.set = set_->assignments();
   const int kind = kind_->currentIndex();
   if (kind != valueKind(before)) {
@@ -153,7 +154,7 @@ LessonValue LessonValueFields::edited(const LessonValue& before) const {
   value.key.clear();
   value.from = value.to = 0;
   if (kind == kExponent) {
-    value.key = key_->currentData().toString().toStdString();
+    value.key = chosenWord(*key_).toStdString();
     value.from = rangeEnd(*from_);
     value.to = rangeEnd(*to_);
   }
