@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -97,6 +98,17 @@ void ImportPage::addFoot(QVBoxLayout& page) {
   foot->addWidget(cancel_);
   foot->addWidget(accept_);
   page.addLayout(foot);
+}
+
+QScrollArea* ImportPage::scrolledTexts(Widgets texts, int lines, const QString& name) const {
+  auto* content = new QWidget;
+  auto* column = marginless<QVBoxLayout>(content, 4);
+  for (QWidget* text : texts) column->addWidget(text);
+  column->addStretch(1);
+  QScrollArea* area = scrolled(content, Qt::ScrollBarAlwaysOff);
+  area->setFixedHeight(lines * fontMetrics().lineSpacing());
+  area->setAccessibleName(name);
+  return area;
 }
 
 QString ImportPage::sentence(QString text) {

@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QString>
 
+#include "ui/panels/controls.h"
 #include "ui/window/tasks/background_work.h"
 
 class QHBoxLayout;
@@ -15,6 +16,7 @@ class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
 
@@ -39,6 +41,9 @@ class ImportPage : public QDialog {
   QVBoxLayout& views() { return *views_; }    // left
   QHBoxLayout& halves() { return *halves_; }  // for the widgets at the right
   const QString& file() const { return file_; }
+  /// Makes an area of so many lines, in which texts below each other scroll: what is beside it
+  /// stays where it is. name: for screen readers.
+  QScrollArea* scrolledTexts(Widgets texts, int lines, const QString& name) const;
 
   /// Begins again with the present choices; begin() of the derived class follows. Its constructor
   /// ends with the first call.

@@ -96,17 +96,10 @@ void MaterialImport::buildViews() {
   sheets_->setUsesScrollButtons(true);
   connect(sheets_, &QTabBar::currentChanged, this, &MaterialImport::showSheet);
   sheet_->setAccessibleName(tr("the measured moduli and their fit"));
-  auto* texts = new QWidget;
-  auto* column = marginless<QVBoxLayout>(texts, 4);
-  for (QLabel* text : {warnings_, summary_}) column->addWidget(text);
-  column->addStretch(1);
   warnings_->hide();
-  auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);
-  scroll->setFixedHeight(8 * fontMetrics().lineSpacing());
-  scroll->setAccessibleName(tr("summary of the material"));
   views().addWidget(sheets_);
   views().addWidget(sheet_, 1);
-  views().addWidget(scroll);
+  views().addWidget(scrolledTexts({warnings_, summary_}, 8, tr("summary of the material")));
 }
 
 QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* option, const char* name,
@@ -131,7 +124,7 @@ void MaterialImport::addChoice(QFormLayout& form, const char* option, const char
   box->addItem(automatic, QString());
   for (const QString& word : words) box->addItem(wordText(word.toStdString()), word);
   connect(box, &QComboBox::activated, this, [this] { restart(); });
-  controls_.push_back({option, label, [box] { return box->currentData().toString(); }});
+  controls_.push_back({option, label, [box] { return chosenWord(*box); }});
 }
 
 void MaterialImport::addCheck(QFormLayout& form, const char* option, const char* name,

@@ -216,14 +216,8 @@ SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, QWidget* p
 void SurfaceImport::buildViews() {
   topography_ = new TopographyPicture;
   topography_->hide();
-  auto* texts = new QWidget;
-  auto* column = marginless<QVBoxLayout>(texts, 4);
   notes_ = warningTextLabel("surfaceNotes");
   facts_ = textLabel("surfaceFacts");
-  for (QLabel* text : {notes_, facts_}) column->addWidget(text);
-  column->addStretch(1);
-  auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);
-  scroll->setAccessibleName(tr("what is known of the surface"));
   values_ = named<QLabel>("surfaceValues");
   values_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -231,8 +225,7 @@ void SurfaceImport::buildViews() {
   head->setSpacing(14);
   head->addWidget(topography_);
   head->addWidget(values_);
-  head->addWidget(scroll, 1);
-  scroll->setFixedHeight(10 * fontMetrics().lineSpacing());  // the views below stay where they are
+  head->addWidget(scrolledTexts({notes_, facts_}, 10, tr("what is known of the surface")), 1);
   profile_ = named<DiagramView>("surfaceProfile");
   profile_->setAccessibleName(tr("the profile, raw and used"));
   spectrum_ = named<DiagramView>("surfaceSpectrum");
