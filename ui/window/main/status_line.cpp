@@ -2,11 +2,13 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -21,10 +23,47 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/main/status_reading.h"
 #include "ui/window/main/work_indicator.h"
 
 namespace asperity {
+
+/// A reading as a whole and, for a narrow window, a brief one.
+using StatusForms = std::array<QString, 2>;
+
+/// A reading of the status line: it keeps space for other texts and is never narrower than its own.
+class StatusReading : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+  void setForms(const StatusForms& forms) {
+    forms_ = forms;
+    setText(forms_[isBrief_]);
+  }
+  void setForm(const QString& only) { setForms({only, only}); }
+  void setBrief(bool isBrief) {
+    isBrief_ = isBrief;
+    if (text() != forms_[isBrief]) setText(forms_[isBrief]);
+  }
+  /// Keeps the space of a number in each form, or of the widest of these texts.
+  void reserve(const StatusForms& forms) {
+    reserved_ = {widestText(*this, {forms[0]}), widestText(*this, {forms[1]})};
+    updateGeometry();
+  }
+  void reserve(const QStringList& texts) {
+    reserved_.fill(widestText(*this, texts));
+    updateGeometry();
+  }
+  QSize sizeHint() const override {
+    return QLabel::sizeHint().expandedTo({reserved_[isBrief_], 0});
+  }
+  QSize minimumSizeHint() const override { return QLabel::sizeHint(); }
+  int wholeWidth() const { return std::max(reserved_[0], widestText(*this, {forms_[0]})); }
+
+ private:
+  StatusForms forms_;
+  std::array<int, 2> reserved_{};
+  bool isBrief_ = false;
+};
 
 namespace {
 
