@@ -218,15 +218,15 @@ LessonEditor& Lessons::openEditor(const Lesson& lesson, const QString& file) {
 }
 
 /// The answer to wantsToGoOn() by which work is lost that is in no file.
-Lessons::Otherwise Lessons::discards() {
+Lessons::Refusal Lessons::discards() {
   return {tr("What you discard is lost."), tr("&Discard")};
 }
 
 /// Asks whether work of an earlier session is to be continued. The Escape key continues it.
 bool Lessons::wantsToGoOn(const QString& name, const QString& question,
-                          const Otherwise& otherwise) const {
-  return ask(&parts_.window, {name, tr("Asperity"), question, otherwise.means},
-             {{QMessageBox::Yes, tr("&Go on")}, {QMessageBox::Discard, otherwise.button}},
+                          const Refusal& refusal) const {
+  return ask(&parts_.window, {name, tr("Asperity"), question, refusal.consequence},
+             {{QMessageBox::Yes, tr("&Go on")}, {QMessageBox::Discard, refusal.button}},
              QMessageBox::Yes) != QMessageBox::Discard;
 }
 
@@ -335,7 +335,7 @@ QString Lessons::offerAnswers(const Lesson& lesson) {
   return {};
 }
 
-/// Offers the answers in the file of the last time. Who begins anew is not asked again.
+/// Offers the answers in the file of the last time. A student who begins anew is not asked again.
 QString Lessons::offerSavedAnswers(const Lesson& lesson) {
   const QString file = QSettings().value(lessonKey(kFiles, lesson.digest)).toString();
   const auto saved = answersTo(lesson, [&] { return readResultsFile(file.toStdString()); });

@@ -86,11 +86,12 @@ class Lessons : public QObject {
  private:
   LessonEditor& makeEditor(const LessonDocument& document);
   void hideDuringLesson(LessonEditor& editor);
-  struct Otherwise {
-    QString means, button;
+  /// The answer by which the user does not go on: its consequence, and the text of its button.
+  struct Refusal {
+    QString consequence, button;
   };
-  bool wantsToGoOn(const QString& name, const QString& question, const Otherwise& otherwise) const;
-  static Otherwise discards();
+  bool wantsToGoOn(const QString& name, const QString& question, const Refusal& refusal) const;
+  static Refusal discards();
   LiveText failureText(const QString& file, const std::exception& error) const;
   QString offerAnswers(const Lesson& lesson);
   QString offerSavedAnswers(const Lesson& lesson);
