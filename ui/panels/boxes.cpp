@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/controls.h"
+
 namespace asperity {
 
 ChoiceBox::ChoiceBox(QWidget* parent) : QComboBox(parent) {
@@ -195,9 +197,8 @@ void TextBox::changeEvent(QEvent* event) {
 }
 
 void TextBox::keyPressEvent(QKeyEvent* event) {
-  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (event->key() == Qt::Key_Escape && toPlainText() != accepted_) return replaceText(accepted_);
-  if (isEnter && event->modifiers().testFlag(Qt::ControlModifier)) return commit();
+  if (isReturnKey(*event) && event->modifiers().testFlag(Qt::ControlModifier)) return commit();
   QPlainTextEdit::keyPressEvent(event);
 }
 

@@ -4,6 +4,7 @@
 #include <QFontDatabase>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -40,6 +41,10 @@ QWidget& orderTabs(QWidget& before, const QLayout& layout) {
     if (inner) last = &orderTabs(*last, *inner);
   }
   return *last;
+}
+
+bool isReturnKey(const QKeyEvent& event) {
+  return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
 }
 
 QSplitter* thinSplitter(Qt::Orientation orientation, const QString& name) {

@@ -14,6 +14,7 @@
 
 class QAction;
 class QHBoxLayout;
+class QKeyEvent;
 class QLabel;
 class QMenu;
 class QPlainTextEdit;
@@ -72,6 +73,9 @@ Layout* marginless(QWidget* parent = nullptr, int spacing = -1) {
 /// Gives the Tab key the order of a layout, beginning after `before`: Qt puts controls last that
 /// were made last. Returns the last control.
 QWidget& orderTabs(QWidget& before, const QLayout& layout);
+
+/// Returns whether a key is Return, or Enter beside the digits.
+bool isReturnKey(const QKeyEvent& event);
 
 /// Makes a splitter with a thin handle, none of whose parts can be closed.
 QSplitter* thinSplitter(Qt::Orientation orientation, const QString& name = {});

@@ -8,6 +8,7 @@
 #include <QToolTip>
 
 #include "core/base/number_text.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_style.h"
 
@@ -146,8 +147,7 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QLineEdit::keyPressEvent(event);
-  const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (entered && !hasError()) clearFocus();
+  if (isReturnKey(*event) && !hasError()) clearFocus();
 }
 
 /// Removes the error where the text is again that of the accepted value.

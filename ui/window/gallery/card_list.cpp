@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/controls.h"
 #include "ui/panels/labels.h"
 
 namespace asperity {
@@ -141,8 +142,7 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
 /// The signal itemActivated() also comes from double clicks, whose first click has chosen the card
 /// already.
 void CardList::keyPressEvent(QKeyEvent* event) {
-  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && !chosen().isEmpty()) return emit cardActivated(chosen());
+  if (isReturnKey(*event) && !chosen().isEmpty()) return emit cardActivated(chosen());
   // Typed letters belong to the filter.
   if (!event->text().isEmpty() && event->text().front().isPrint() &&
       !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))

@@ -265,8 +265,7 @@ void LessonPane::goOn() {
 }
 
 void LessonPane::keyPressEvent(QKeyEvent* event) {
-  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && next_->isEnabled()) return goOn();
+  if (isReturnKey(*event) && next_->isEnabled()) return goOn();
   QWidget::keyPressEvent(event);
 }
 

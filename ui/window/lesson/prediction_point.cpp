@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "ui/chart/chart_view.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -213,7 +214,7 @@ void PredictionPoint::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PredictionPoint::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return emit returnPressed();
+  if (isReturnKey(*event)) return emit returnPressed();
   const double dx = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
   const double dy = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
   if ((dx == 0 && dy == 0) || !hasAxes() || event->modifiers() & Qt::AltModifier)

@@ -362,7 +362,7 @@ bool needs(const QWidget& widget, const QKeyEvent& event) {
 
 bool isReturn(const QKeyEvent& event) {
   const bool isPlain = (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-  return isPlain && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter);
+  return isPlain && isReturnKey(event);
 }
 
 /// Clicks a push or tool button, or opens its menu. Returns whether the widget is such a button.
@@ -401,7 +401,7 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool pressByReturn(const QDialog& dialog, QKeyEvent& event) {
-  if (event.key() != Qt::Key_Return && event.key() != Qt::Key_Enter) return false;
+  if (!isReturnKey(event)) return false;
   event.accept();
   if (auto* button = qobject_cast<QAbstractButton*>(dialog.focusWidget())) button->click();
   return true;
