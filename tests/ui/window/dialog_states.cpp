@@ -623,7 +623,7 @@ class Visitor {
     lessons.start(lesson, 1);
     in<QRadioButton>(window_, "lessonChoice:0").click();
     in<QPushButton>(window_, "lessonNext").click();
-    waitFor([&] { return lessons.isRevealed(); }, "an answer");
+    waitFor([&] { return lessons.player().isRevealed(); }, "an answer");
     visitNext("lesson_unsaved");
     lessons.mayLeave();
     lessons.close();

@@ -76,7 +76,7 @@ bool saveEvery(MainWindow& window, const QString& folder, const QString& name) {
 void answer(MainWindow& window) {
   if (auto* choice = window.findChild<QRadioButton*>("lessonChoice:0")) choice->click();
   if (auto* number = window.findChild<QLineEdit*>("lessonNumber")) QTest::keyClicks(number, "2");
-  PredictionPoint& point = window.lessons().point();
+  PredictionPoint& point = window.lessons().player().point();
   if (point.isVisible()) QTest::mouseClick(&point, Qt::LeftButton, {}, point.rect().center());
 }
 
@@ -118,11 +118,12 @@ int main(int argc, char** argv) {
   if (parser.isSet("handout")) {
     HandoutOptions options;
     options.forTeacher = parser.isSet("teacher");
-    writeHandout(parser.value("handout").toStdString(), *window.lessons().lesson(), options);
+    writeHandout(parser.value("handout").toStdString(), *window.lessons().player().lesson(),
+                 options);
     return 0;
   }
   if (parser.isSet("editor")) {
-    LessonEditor& editor = window.lessons().showEditor(*window.lessons().lesson(), {});
+    LessonEditor& editor = window.lessons().showEditor(*window.lessons().player().lesson(), {});
     editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(parser.value("editor").toInt());
     return save(window, folder + "/editor.png") ? 0 : 1;
   }
@@ -131,12 +132,12 @@ int main(int argc, char** argv) {
     return parser.isSet("every") ? saveEvery(window, folder, name)
                                  : save(window, folder + '/' + name);
   };
-  const auto steps = static_cast<int>(window.lessons().lesson()->steps.size());
+  const auto steps = static_cast<int>(window.lessons().player().lesson()->steps.size());
   for (int step = 0; step < steps; ++step) {
     const bool isWanted = only == 0 || only == step + 1;
     const QString name = QStringLiteral("%1").arg(step + 1, 2, 10, QChar('0'));
     auto* next = window.findChild<QPushButton*>("lessonNext");
-    if (!window.lessons().isRevealed()) {
+    if (!window.lessons().player().isRevealed()) {
       if (isWanted) {
         take(name + "a.png");
         answer(window);
@@ -144,7 +145,7 @@ int main(int argc, char** argv) {
       } else {
         window.findChild<QPushButton*>("lessonShow")->click();
       }
-      if (!QTest::qWaitFor([&] { return window.lessons().isRevealed(); }, 30000))
+      if (!QTest::qWaitFor([&] { return window.lessons().player().isRevealed(); }, 30000))
         return std::fputs("no answer\n", stderr), 1;
     }
     if (isWanted && !take(name + "b.png")) return 1;

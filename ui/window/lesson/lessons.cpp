@@ -112,7 +112,8 @@ Lessons::Lessons(const Parts& parts, MessageBar& messages)
   connect(player_, &LessonPlayer::savingRequested, this, &Lessons::askResultsFile);
   connect(player_, &LessonPlayer::endRequested, this, &Lessons::leave);
   connect(player_, &LessonPlayer::stepShown, this, [this] {
-    if (isRemembered()) QSettings().setValue(lessonKey(kSteps, lesson()->digest), step());
+    if (isRemembered())
+      QSettings().setValue(lessonKey(kSteps, player_->lesson()->digest), player_->step());
     emit stepShown();
   });
 }
@@ -126,7 +127,8 @@ void Lessons::addTo(Commands& commands) {
                   if (LessonEditor* open = editor())
                     bringToFront(*open);
                   else
-                    openEditor(isRunning() ? written_ : Lesson{}, isRunning() ? file_ : QString());
+                    openEditor(player_->isRunning() ? written_ : Lesson{},
+                               player_->isRunning() ? file_ : QString());
                 }});
   commands.add({"classTable", [] { return tr("Table of a class…"); }, [this] { askResults(); }});
 }
@@ -315,7 +317,8 @@ void Lessons::setResultsFile(const QString& file) {
   resultsFile_ = file;
   isSaved_ = true;
   if (isRemembered())
-    QSettings().setValue(lessonKey(kFiles, lesson()->digest), QFileInfo(file).absoluteFilePath());
+    QSettings().setValue(lessonKey(kFiles, player_->lesson()->digest),
+                         QFileInfo(file).absoluteFilePath());
 }
 
 /// Offers the answers of an earlier session, and returns their file; those that are in no file come
@@ -367,15 +370,15 @@ void Lessons::start(const Lesson& lesson, int step, Purpose purpose) {
 // ---- The answers and their file
 
 bool Lessons::hasUnsavedAnswers() const {
-  return isRunning() && !isSaved_ && !player_->isTrial() &&
-         std::ranges::any_of(results().results,
+  return player_->isRunning() && !isSaved_ && !player_->isTrial() &&
+         std::ranges::any_of(player_->results().results,
                              [](const LessonResult& one) { return one.given.isGiven(); });
 }
 
 /// Keeps answers against a crash until they are in a file.
 void Lessons::keepUnsavedAnswers() const {
   if (!player_->isTrial())
-    keepAnswers(lesson()->digest, hasUnsavedAnswers() ? &results() : nullptr);
+    keepAnswers(player_->lesson()->digest, hasUnsavedAnswers() ? &player_->results() : nullptr);
 }
 
 bool Lessons::mayLeave() {
@@ -408,18 +411,18 @@ void Lessons::close() {
 
 /// Ends the lesson, unless the student decides to stay in it.
 void Lessons::leave() {
-  if (isRunning() && mayLeave()) end();
+  if (player_->isRunning() && mayLeave()) end();
 }
 
 /// Returns the name that is proposed for the results: with the title in the language of the window
 /// and with the time, so that the files of a class can be collected in one folder.
 QString Lessons::resultsName() const {
   const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss"));
-  return tr("%1, results %2.json").arg(fileNamePart(lesson()->title), now);
+  return tr("%1, results %2.json").arg(fileNamePart(player_->lesson()->title), now);
 }
 
 void Lessons::askResultsFile() {
-  if (!isRunning()) return;
+  if (!player_->isRunning()) return;
   const QString name = resultsFile_.isEmpty() ? resultsName() : resultsFile_;
   constexpr bool kAsksToReplace = false;  // answers in it are kept
   const QString file = askSaveFile(&parts_.window, tr("File of your results"), name,
@@ -428,10 +431,10 @@ void Lessons::askResultsFile() {
 }
 
 bool Lessons::keepResults(const QString& file) {
-  if (!isRunning() || !saveAnswers(file)) return false;
+  if (!player_->isRunning() || !saveAnswers(file)) return false;
   keepUnsavedAnswers();
   // A step that is still open stays as it is, with what the student has entered.
-  if (isRevealed()) player_->show(step());
+  if (player_->isRevealed()) player_->show(player_->step());
   player_->pane().showNote(tr("Your answers are kept in %1.").arg(QFileInfo(file).fileName()));
   return true;
 }
@@ -440,12 +443,13 @@ bool Lessons::keepResults(const QString& file) {
 /// elsewhere. Returns whether it could be written; the message bar shows the reason.
 bool Lessons::saveAnswers(const QString& file) {
   const bool isWritten = messages_.succeeds(MessageBar::Failure::Export, [&] {
-    LessonResults all = readResults(file.toStdString(), *lesson());
-    for (const LessonResult& one : results().results) all.set(one);
-    all.date = std::max(all.date, results().date);  // the later one
-    std::erase_if(all.results,
-                  [&](const LessonResult& one) { return !askingStep(*lesson(), one.step); });
-    writeResults(file.toStdString(), all, *lesson());
+    LessonResults all = readResults(file.toStdString(), *player_->lesson());
+    for (const LessonResult& one : player_->results().results) all.set(one);
+    all.date = std::max(all.date, player_->results().date);  // the later one
+    std::erase_if(all.results, [&](const LessonResult& one) {
+      return !askingStep(*player_->lesson(), one.step);
+    });
+    writeResults(file.toStdString(), all, *player_->lesson());
     player_->setResults(std::move(all));
   });
   if (isWritten) setResultsFile(file);
@@ -453,9 +457,10 @@ bool Lessons::saveAnswers(const QString& file) {
 }
 
 void Lessons::end() {
-  if (!isRunning()) return;
+  if (!player_->isRunning()) return;
   keepUnsavedAnswers();
-  if (hasUnsavedAnswers() && !lesson()->digest.empty()) left_[lesson()->digest] = results();
+  if (hasUnsavedAnswers() && !player_->lesson()->digest.empty())
+    left_[player_->lesson()->digest] = player_->results();
   player_->end();
 }
 

@@ -69,15 +69,8 @@ class Lessons : public QObject {
   /// Closes the editor without a question, and ends the lesson.
   void close();
 
-  // The lesson that runs, as in LessonPlayer.
-  bool isRunning() const { return player_->isRunning(); }
-  const Lesson* lesson() const { return player_->lesson(); }
-  int step() const { return player_->step(); }
-  bool isRevealed() const { return player_->isRevealed(); }
-  const LessonResults& results() const { return player_->results(); }
+  /// Returns the lesson that runs, if one does.
   LessonPlayer& player() { return *player_; }
-  LessonPane& pane() { return player_->pane(); }
-  PredictionPoint& point() { return player_->point(); }
 
  signals:
   /// Emitted when a step or its answer is shown.
@@ -105,7 +98,7 @@ class Lessons : public QObject {
   bool saveAnswers(const QString& file);
   void setResultsFile(const QString& file);
   /// Returns whether the next session goes on with the lesson: it has a file, and is no trial.
-  bool isRemembered() const { return !player_->isTrial() && !lesson()->digest.empty(); }
+  bool isRemembered() const { return !player_->isTrial() && !player_->lesson()->digest.empty(); }
 
   Parts parts_;
   MessageBar& messages_;

@@ -341,9 +341,10 @@ void MainWindow::showTitle() {
 // ---- Signals of the session
 
 void MainWindow::connectFrames() {
-  frames_ = new FrameDisplay({*session_, *canvas_, *tabs_, *timeBar_, *status_, *panel_,
-                              [this] { return lessons_ && lessons_->point().isVisible(); }},
-                             this);
+  frames_ =
+      new FrameDisplay({*session_, *canvas_, *tabs_, *timeBar_, *status_, *panel_,
+                        [this] { return lessons_ && lessons_->player().point().isVisible(); }},
+                       this);
   connect(session_, &Session::errorOccurred, messages_, &MessageBar::showSceneError);
   connect(messages_, &MessageBar::sceneErrorShown, panel_, &ParameterPanel::showError);
   connect(session_, &Session::sceneRuns, messages_, &MessageBar::sceneRuns);

@@ -42,7 +42,7 @@ TEST_F(AnswerInputTest, AChoiceIsMadeAndCheckedByKeysAlone) {
   EXPECT_EQ(QApplication::focusWidget(), &button("lessonNext"));
   key(Qt::Key_Space);
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_EQ(lessons().results().right(), 1);
+  EXPECT_EQ(player().results().right(), 1);
   EXPECT_EQ(session().isPlaying(), isPlaying);
 }
 
@@ -52,13 +52,13 @@ TEST_F(AnswerInputTest, ANumberIsTypedWithOrWithoutItsUnit) {
   EXPECT_FALSE(showsCurve());
   QTest::keyClicks(&number, "much");
   click("lessonNext");
-  EXPECT_FALSE(lessons().isRevealed());
+  EXPECT_FALSE(player().isRevealed());
   EXPECT_TRUE(said("lessonNote").contains("number"));
   number.selectAll();
   QTest::keyClicks(&number, "0.3 um");
   QTest::keyClick(&number, Qt::Key_Return);
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 3e-7);
+  EXPECT_DOUBLE_EQ(player().results().find(1)->given.number, 3e-7);
   ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
 }
 
@@ -76,7 +76,7 @@ TEST_F(AnswerInputTest, ANumberIsReadAsTheLanguageWritesIt) {
     EXPECT_TRUE(said("lessonNote").contains("2560 um")) << said("lessonNote").toStdString();
     click("lessonNext");
     ASSERT_TRUE(waitForAnswer());
-    EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 2.56e-3);
+    EXPECT_DOUBLE_EQ(player().results().find(1)->given.number, 2.56e-3);
   }
   json["goal"] = "another one";
   begin("de");

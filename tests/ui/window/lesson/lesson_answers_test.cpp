@@ -28,7 +28,7 @@ TEST_F(LessonAnswersTest, TheUsersOwnSceneComesBackWithItsChanges) {
   EXPECT_TRUE(window_.document().isTrial());
   EXPECT_NE(session().scene(), own);
   QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
   EXPECT_EQ(session().scene(), own);
   EXPECT_TRUE(window_.document().isChanged());
   EXPECT_FALSE(control<QDockWidget>("lessonDock").isVisible());
@@ -40,7 +40,7 @@ TEST_F(LessonAnswersTest, AnotherSceneEndsTheLessonAndUndoBringsTheOwnOneBack) {
   const Scene own = session().scene();
   lessons().start(lessonOf(sampleLesson()));
   action("scene:figure_2").trigger();
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
   EXPECT_NE(session().scene(), own);
   action("undo").trigger();
   EXPECT_EQ(session().scene(), own);
@@ -66,7 +66,7 @@ TEST_F(LessonAnswersTest, AnswersOutliveACrash) {
     answer(button);
     ASSERT_TRUE(next.lessons().open(file));
     EXPECT_EQ(asked_, 1);
-    EXPECT_EQ(next.lessons().isRevealed(), isKept);
+    EXPECT_EQ(next.lessons().player().isRevealed(), isKept);
     EXPECT_EQ(keptAnswers(lesson).has_value(), isKept);
     next.lessons().end();
   }
@@ -84,7 +84,7 @@ TEST_F(LessonAnswersTest, ALessonGoesOnWhereItWasLeft) {
   ASSERT_TRUE(waitForAnswer());
   ASSERT_TRUE(lessons().keepResults(results));
   click("lessonNext");
-  ASSERT_EQ(lessons().step(), 1);
+  ASSERT_EQ(player().step(), 1);
   lessons().end();
   for (const auto& [button, goesOn, asked] : {std::tuple(QMessageBox::Yes, true, 1),
                                               {QMessageBox::Discard, false, 1},
@@ -101,8 +101,8 @@ TEST_F(LessonAnswersTest, ALessonGoesOnWhereItWasLeft) {
     ASSERT_TRUE(lessons().open(file));
     clicker.stop();
     EXPECT_EQ(questions, asked);
-    EXPECT_EQ(lessons().step(), goesOn ? 1 : 0);
-    EXPECT_EQ(lessons().results().results.size(), goesOn ? 1U : 0U);
+    EXPECT_EQ(player().step(), goesOn ? 1 : 0);
+    EXPECT_EQ(player().results().results.size(), goesOn ? 1U : 0U);
     window_.activateWindow();  // as the desktop does when the question closes
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
     EXPECT_EQ(window_.focusWidget()->objectName(), goesOn ? "lessonNumber" : "lessonChoice:0");
@@ -137,7 +137,7 @@ TEST_F(LessonAnswersTest, EscapeGoesOnWithAnswersOfAnEarlierSession) {
     EXPECT_EQ(asked, name);
     // The date is not one of a file: "2026-11-29".
     EXPECT_FALSE(text.contains(QRegularExpression("\\d{4}-\\d\\d"))) << text.toStdString();
-    EXPECT_EQ(next.lessons().results().results.size(), 1U);
+    EXPECT_EQ(next.lessons().player().results().results.size(), 1U);
     ASSERT_TRUE(next.lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
     next.lessons().end();
   }
@@ -177,9 +177,9 @@ TEST_F(LessonAnswersTest, ResultsAreKeptInAFileOfTheStudentsChoice) {
   EXPECT_EQ(readResults(file, lesson).right(), 0);
   // Another day: what was answered is seen again.
   lessons().start(lesson);
-  EXPECT_FALSE(lessons().isRevealed());
+  EXPECT_FALSE(player().isRevealed());
   ASSERT_TRUE(lessons().keepResults(QString::fromStdString(file.string())));
-  EXPECT_TRUE(lessons().isRevealed());
+  EXPECT_TRUE(player().isRevealed());
   // A file of somebody else's stays as it is.
   folder.write("thesis.txt", "my thesis");
   EXPECT_FALSE(lessons().keepResults(QString::fromStdString((folder / "thesis.txt").string())));
@@ -207,13 +207,13 @@ TEST_F(LessonAnswersTest, AnotherLanguageKeepsWhatTheStudentHasEntered) {
   EXPECT_EQ(control<QLineEdit>("lessonNumber").text(), "1,250 um");
   click("lessonNext");
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 1.25e-6);
+  EXPECT_DOUBLE_EQ(player().results().find(1)->given.number, 1.25e-6);
   useLanguage("en");
   Json json = sampleLesson();
   json["steps"][1]["prediction"] = {
       {"kind", "point"}, {"question", {{"en", "Where?"}, {"de", "Wo?"}}}, {"tolerance", 0.5}};
   lessons().start(lessonOf(json), 1);
-  PredictionPoint& point = lessons().point();
+  PredictionPoint& point = player().point();
   ASSERT_TRUE(waitFor([&] { return window_.plotView().frame().has_value(); }));
   QTest::keyClick(&point, Qt::Key_Up);
   ASSERT_TRUE(point.point());
@@ -275,11 +275,11 @@ TEST_F(LessonAnswersTest, DiscardedAnswersStayUntilTheLessonEnds) {
   ASSERT_TRUE(waitForAnswer());
   answer(QMessageBox::Discard);
   ASSERT_TRUE(lessons().mayLeave());
-  EXPECT_TRUE(lessons().isRevealed());  // the window stays open after all
+  EXPECT_TRUE(player().isRevealed());  // the window stays open after all
   lessons().end();
   EXPECT_FALSE(keptAnswers(lesson));
   lessons().start(lesson);
-  EXPECT_FALSE(lessons().isRevealed());
+  EXPECT_FALSE(player().isRevealed());
 }
 
 /// The picture's title, too, which is that of the step; what was changed stays.
@@ -327,29 +327,29 @@ TEST_F(LessonAnswersTest, AnswersAreNotLostWithoutAQuestion) {
   ASSERT_TRUE(answerFirst());
   end();
   EXPECT_EQ(asked_, 1);
-  EXPECT_TRUE(lessons().isRunning());
+  EXPECT_TRUE(player().isRunning());
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(window_.close());
   EXPECT_EQ(asked_, 1);
   answer(QMessageBox::Discard);
   end();
   EXPECT_EQ(asked_, 1);
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
   lessons().start(lesson);
-  EXPECT_FALSE(lessons().isRevealed());
+  EXPECT_FALSE(player().isRevealed());
   // Another scene ends the lesson at once; its answers are there when it begins again.
   ASSERT_TRUE(answerFirst());
   action("scene:figure_2").trigger();
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
   lessons().start(lesson);
-  EXPECT_TRUE(lessons().isRevealed());
+  EXPECT_TRUE(player().isRevealed());
   // What a file has is left without a question.
   TemporaryFolder folder;
   ASSERT_TRUE(lessons().keepResults(QString::fromStdString((folder / "mine.json").string())));
   answer(QMessageBox::Cancel);
   end();
   EXPECT_EQ(asked_, 0);
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
 }
 
 }  // namespace

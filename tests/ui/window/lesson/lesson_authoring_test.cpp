@@ -126,7 +126,7 @@ TEST_F(LessonAuthoringTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   press("editorTry");
   EXPECT_FALSE(editor.isVisible());
   for (int step = 0; step < 3; ++step) {
-    EXPECT_EQ(lessons().step(), step);
+    EXPECT_EQ(player().step(), step);
     click("lessonShow");
     ASSERT_TRUE(waitForAnswer());
     click("lessonNext");
@@ -137,7 +137,7 @@ TEST_F(LessonAuthoringTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
 TEST_F(LessonAuthoringTest, TheEditorStepsAsideForAStepThatIsTried) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
   emit editor.trialRequested(lessonOf(sampleLesson()), 1);
-  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_EQ(player().step(), 1);
   EXPECT_FALSE(editor.isVisible());
   lessons().end();
   EXPECT_TRUE(editor.isVisible());
@@ -265,7 +265,7 @@ TEST_F(LessonAuthoringTest, TheOpenEditorComesBackWithItsLesson) {
   emit editor.trialRequested(editor.lesson(), 0);
   ASSERT_FALSE(editor.isVisible());
   QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
   EXPECT_TRUE(editor.isVisible());
   EXPECT_TRUE(waitFor([&] { return editor.isActiveWindow(); }));
   action("lessonEditor").trigger();  // it may lie behind the main window
@@ -318,7 +318,7 @@ TEST_F(LessonAuthoringTest, TheEditorSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(editor.errorText(), "Step 2: the question needs a text");
   QTest::keyClicks(&question, "How deep?");
   QTest::mouseClick(editor.findChild<QPushButton*>("editorTry"), Qt::LeftButton);
-  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_EQ(player().step(), 1);
   EXPECT_EQ(session().scene().load.normalForce, 0.03);
 }
 

@@ -56,7 +56,7 @@ TEST(LessonDockOfAStep, AWarningThatComesLaterLeavesTheParametersInSight) {
   Lessons& lessons = window->lessons();
   lessons.start(readNamedLesson("rubber_is_not_coulomb", readNamedScene), kPlateau);
   window->findChild<QPushButton*>("lessonShow")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.isRevealed(); }, kWindowPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.player().isRevealed(); }, kWindowPatience));
   const auto& modulus = *window->findChild<QWidget*>("row:elastomer.shear_modulus");
   const auto isInSight = [&] { return modulus.visibleRegion().boundingRect() == modulus.rect(); };
   EXPECT_TRUE(QTest::qWaitFor(isInSight, kSettled));

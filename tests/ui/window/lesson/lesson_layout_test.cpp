@@ -79,7 +79,7 @@ void findOverlaps(const QWidget& parent, Faults& faults) {
 }
 
 void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
-  QWidget& pane = window.lessons().pane();
+  QWidget& pane = window.lessons().player().pane();
   for (const char* name :
        {"lessonBack", "lessonShow", "lessonNext", "lessonProgress", "lessonScore"}) {
     const auto* widget = window.findChild<QWidget*>(name);
@@ -120,7 +120,7 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
 /// Controls of the pane, and the point on the chart, which the Tab key does not reach. One of the
 /// choices is reached, and the arrow keys go on to the others.
 void findUnreached(MainWindow& window, Faults& faults) {
-  LessonPane& pane = window.lessons().pane();
+  LessonPane& pane = window.lessons().player().pane();
   std::set<const QWidget*> wanted;
   bool hasChoice = false;
   for (QWidget* widget : pane.findChildren<QWidget*>() + pane.foot().findChildren<QWidget*>()) {
@@ -132,8 +132,8 @@ void findUnreached(MainWindow& window, Faults& faults) {
       continue;
     wanted.insert(widget);
   }
-  PredictionPoint& point = window.lessons().point();
-  if (point.isVisible() && !window.lessons().isRevealed()) wanted.insert(&point);
+  PredictionPoint& point = window.lessons().player().point();
+  if (point.isVisible() && !window.lessons().player().isRevealed()) wanted.insert(&point);
   for (const char* key : {"lessonKeep", "lessonEnd"})
     wanted.insert(window.findChild<QWidget*>(key));
   std::set<const QWidget*> reached;
@@ -161,19 +161,19 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
     // A moving picture, which no layout depends on, would take a third of the time.
     window->session().setPlaying(false);
     for (const char* language : {"en", "de"}) {
-      SCOPED_TRACE(std::to_string(lessons.step() + 1) + (isRevealed ? " after " : " before ") +
-                   language);
+      SCOPED_TRACE(std::to_string(lessons.player().step() + 1) +
+                   (isRevealed ? " after " : " before ") + language);
       useLanguage(language);
       const bool isGerman = std::string_view(language) == "de";
       const auto* progress = window->findChild<QLabel*>("lessonProgress");
       ASSERT_TRUE(QTest::qWaitFor([&] { return progress->text().contains(" von ") == isGerman; }));
       QCoreApplication::processEvents();  // the layout of the other texts
-      EXPECT_EQ(cutOffIn(lessons.pane()), "");
-      EXPECT_EQ(cutOffIn(lessons.pane().foot()), "");
+      EXPECT_EQ(cutOffIn(lessons.player().pane()), "");
+      EXPECT_EQ(cutOffIn(lessons.player().pane().foot()), "");
       Faults faults;
       const auto isWhole = [&] {
         faults.clear();
-        findWideWords(lessons.pane(), faults);
+        findWideWords(lessons.player().pane(), faults);
         for (const char* dock : {"lessonDock", "lessonFootDock"})
           findOverlaps(*window->findChild<QDockWidget*>(dock), faults);
         findWhatIsOutOfSight(*window, faults);
@@ -186,17 +186,17 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
     }
     useLanguage("en");
   };
-  const auto steps = static_cast<int>(lessons.lesson()->steps.size());
+  const auto steps = static_cast<int>(lessons.player().lesson()->steps.size());
   for (int step = 0; step < steps; ++step) {
-    if (!lessons.isRevealed()) {
+    if (!lessons.player().isRevealed()) {
       check(false);
       window->findChild<QPushButton*>("lessonShow")->click();
-      ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.isRevealed(); }, kWindowPatience));
+      ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.player().isRevealed(); }, kWindowPatience));
     }
     check(true);
     next.click();
   }
-  EXPECT_FALSE(lessons.isRunning());
+  EXPECT_FALSE(lessons.player().isRunning());
   EXPECT_EQ(window->size(), kSmall);  // nothing made it larger
 }
 

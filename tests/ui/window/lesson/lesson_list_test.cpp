@@ -40,8 +40,8 @@ TEST_F(LessonListTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   EXPECT_TRUE(said().contains("A good question for the class"));
   EXPECT_TRUE(waitFor([&] { return said().contains("right within"); }));  // computed, then listed
   QTest::keyClick(&names, Qt::Key_Return);
-  ASSERT_TRUE(lessons().isRunning());
-  EXPECT_EQ(lessons().lesson()->name, "load_and_friction");
+  ASSERT_TRUE(player().isRunning());
+  EXPECT_EQ(player().lesson()->name, "load_and_friction");
 }
 
 TEST_F(LessonListTest, TheListTriesAnswersThatFailedAgain) {
@@ -82,7 +82,7 @@ TEST_F(LessonListTest, AWrongFileIsOneMessage) {
   folder.write("wrong.json", "{\"schema\": \"asperity-lesson/1\"}");
   EXPECT_FALSE(lessons().open(QString::fromStdString((folder / "wrong.json").string())));
   EXPECT_TRUE(window_.messages().text().contains("title"));
-  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_FALSE(player().isRunning());
 }
 
 /// A lesson is dropped on the window like any other file.
@@ -90,7 +90,7 @@ TEST_F(LessonListTest, ADroppedLessonStarts) {
   TemporaryFolder folder;
   folder.write("mine.json", writeLesson(lessonOf(sampleLesson())));
   drop(QString::fromStdString((folder / "mine.json").string()));
-  EXPECT_TRUE(waitFor([this] { return lessons().isRunning(); }));
+  EXPECT_TRUE(waitFor([this] { return player().isRunning(); }));
 }
 
 }  // namespace

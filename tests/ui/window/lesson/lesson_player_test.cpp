@@ -55,7 +55,7 @@ TEST_F(LessonPlayerTest, AsksRevealsAndFreesWhatTheStepSays) {
   EXPECT_FALSE(said("lessonReveal").contains("{"));
   EXPECT_EQ(session().scene().sliding.velocity, 2e-4);
   EXPECT_TRUE(control<QWidget>("row:sliding.velocity").isEnabled());
-  EXPECT_EQ(lessons().results().right(), 1);
+  EXPECT_EQ(player().results().right(), 1);
 }
 
 TEST_F(LessonPlayerTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
@@ -65,7 +65,7 @@ TEST_F(LessonPlayerTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn)
   button("lessonShow").setFocus();
   QTest::keyClick(window_.windowHandle(), Qt::Key_Return);
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_FALSE(lessons().results().find(0)->given.isGiven());
+  EXPECT_FALSE(player().results().find(0)->given.isGiven());
 }
 
 /// Where the focus goes with a step, a screen reader says what the step asks or tells.
@@ -75,9 +75,9 @@ TEST_F(LessonPlayerTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
   lessons().start(lessonOf(json));
   EXPECT_EQ(control<QRadioButton>("lessonChoice:0").accessibleDescription(), "Twice as fast?");
   EXPECT_EQ(control<QRadioButton>("lessonChoice:1").accessibleDescription(), "");
-  lessons().player().show(1);
+  player().show(1);
   EXPECT_EQ(control<QLineEdit>("lessonNumber").accessibleDescription(), "Indentation?");
-  lessons().player().show(2);
+  player().show(2);
   EXPECT_TRUE(button("lessonNext").accessibleDescription().startsWith("All is said."));
   QTest::qWait(0);  // the fields of the former steps go, of which one had the focus
 }
@@ -91,10 +91,10 @@ TEST_F(LessonPlayerTest, AQuestionIsNeverSeenWithoutItsFields) {
   const auto top = [&](const char* name) {
     return control<QWidget>(name).mapTo(question.parentWidget(), QPoint()).y();
   };
-  lessons().player().show(1);
+  player().show(1);
   EXPECT_TRUE(control<QWidget>("lessonNumber").isVisible());
   EXPECT_GT(top("lessonNumber"), question.geometry().bottom());
-  lessons().player().show(0);
+  player().show(0);
   EXPECT_TRUE(control<QWidget>("lessonChoice:0").isVisible());
   EXPECT_GT(top("lessonChoice:0"), question.geometry().bottom());
   EXPECT_GT(top("lessonChoice:1"), top("lessonChoice:0"));
@@ -157,7 +157,7 @@ TEST_F(LessonPlayerTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
   EXPECT_TRUE(said("lessonNote").contains("guess"));
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_FALSE(lessons().results().find(0)->given.isGiven());
+  EXPECT_FALSE(player().results().find(0)->given.isGiven());
   press("sliding.velocity");
   EXPECT_NE(session().scene().sliding.velocity, 2e-4);
   changed = session().scene();
@@ -219,12 +219,12 @@ TEST_F(LessonPlayerTest, EveryShippedLessonIsWalkedThrough) {
     SCOPED_TRACE(std::string(shipped.name));
     ASSERT_TRUE(lessons().open(
         QString::fromUtf8(shipped.name.data(), static_cast<qsizetype>(shipped.name.size()))));
-    const auto steps = static_cast<int>(lessons().lesson()->steps.size());
+    const auto steps = static_cast<int>(player().lesson()->steps.size());
     for (int step = 0; step < steps; ++step) {
-      EXPECT_EQ(lessons().step(), step);
+      EXPECT_EQ(player().step(), step);
       ASSERT_TRUE(waitForFrame());
       EXPECT_TRUE(frameError(*frame()).empty()) << step;
-      if (!lessons().isRevealed()) {
+      if (!player().isRevealed()) {
         click("lessonShow");
         ASSERT_TRUE(waitForAnswer()) << step;
       }
@@ -233,7 +233,7 @@ TEST_F(LessonPlayerTest, EveryShippedLessonIsWalkedThrough) {
       EXPECT_FALSE(window_.messages().isVisible()) << window_.messages().text().toStdString();
       click("lessonNext");
     }
-    EXPECT_FALSE(lessons().isRunning());
+    EXPECT_FALSE(player().isRunning());
   }
 }
 
@@ -241,21 +241,21 @@ TEST_F(LessonPlayerTest, GoesForwardAndBackByKeys) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()));
   QTest::keyClick(&window_, Qt::Key_Right, Qt::ControlModifier | Qt::AltModifier);
-  EXPECT_EQ(lessons().step(), 0);  // first the guess
+  EXPECT_EQ(player().step(), 0);  // first the guess
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
   QTest::keyClick(&window_, Qt::Key_Right, Qt::ControlModifier | Qt::AltModifier);
-  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_EQ(player().step(), 1);
   QTest::keyClick(&window_, Qt::Key_Left, Qt::ControlModifier | Qt::AltModifier);
-  EXPECT_EQ(lessons().step(), 0);
-  EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
+  EXPECT_EQ(player().step(), 0);
+  EXPECT_TRUE(player().isRevealed());  // what was answered stays answered
 }
 
 /// Whoever answers soon does not wait longer.
 TEST_F(LessonPlayerTest, AnAnswerIsComputedOnce) {
   std::atomic<int> calls = 0;
   std::atomic<bool> mayEnd = false;
-  lessons().player().setAnswerFunction([&](const LessonStep& step, const CurveOptions& options) {
+  player().setAnswerFunction([&](const LessonStep& step, const CurveOptions& options) {
     ++calls;
     while (!mayEnd) {
       throwIfStopped(options.stop);
@@ -278,7 +278,7 @@ TEST_F(LessonPlayerTest, WhatWasLockedInAStepIsNotBroughtIntoTheNext) {
   Scene changed = session().scene();
   changed.load.normalForce *= 3;
   window_.document().edit(changed);
-  lessons().player().show(1);
+  player().show(1);
   const Scene second = session().scene();
   QTest::qWait(50);
   EXPECT_EQ(session().scene(), second);
@@ -374,9 +374,9 @@ TEST_F(LessonPlayerTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
     ASSERT_TRUE(waitForAnswer());
     EXPECT_TRUE(said("lessonVerdict").contains("The program finds"));
     EXPECT_TRUE(said("lessonScore").contains("; 1 was shown to you."));
-    PredictionPoint& point = lessons().point();
+    PredictionPoint& point = player().point();
     EXPECT_TRUE(point.isVisible());
-    EXPECT_EQ(point.point()->y(), lessons().results().find(1)->expected.number.value);
+    EXPECT_EQ(point.point()->y(), player().results().find(1)->expected.number.value);
     lessons().end();
   }
 }

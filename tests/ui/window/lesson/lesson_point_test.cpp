@@ -16,7 +16,7 @@ TEST_F(LessonPointTest, APointHasThreeDigits) {
   Json json = sampleLesson();
   json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.123}};
   lessons().start(lessonOf(json), 1);
-  PredictionPoint& point = lessons().point();
+  PredictionPoint& point = player().point();
   ASSERT_TRUE(waitFor([&] { return point.isVisible() && chart().y.to == 1; }));
   QTest::keyClick(&point, Qt::Key_Up);
   EXPECT_TRUE(point.accessibleName().contains("at 123 mm/s"))
@@ -27,7 +27,7 @@ TEST_F(LessonPointTest, TheLabelOfAPointHidesNoLine) {
   Json json = sampleLesson();
   json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 2e-3}};
   lessons().start(lessonOf(json), 1);
-  PredictionPoint& point = lessons().point();
+  PredictionPoint& point = player().point();
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
   ASSERT_TRUE(waitFor([&] { return showsCurve() && session().friction().progress() >= 1; }));
@@ -64,7 +64,7 @@ TEST_F(LessonPointTest, APointSaysHowCloselyItCounts) {
 TEST_F(LessonPointTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
   for (const bool hasPlace : {true, false}) {
     lessons().start(sampleWithPoint(hasPlace), 1);
-    PredictionPoint& point = lessons().point();
+    PredictionPoint& point = player().point();
     ASSERT_TRUE(waitFor([&] {
       return point.isVisible() && session().friction().progress() >= 1 && chart().y.from == 1e-6 &&
              chart().y.to == 1;
@@ -89,7 +89,7 @@ TEST_F(LessonPointTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
     const double placed = point.point()->y();
     click("lessonNext");
     ASSERT_TRUE(waitForAnswer());
-    EXPECT_EQ(lessons().results().find(1)->given.number, placed);
+    EXPECT_EQ(player().results().find(1)->given.number, placed);
     ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
     lessons().end();
     EXPECT_FALSE(point.isVisible());
@@ -101,22 +101,22 @@ TEST_F(LessonPointTest, APointIsPlacedAndCheckedByKeysAlone) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(sampleWithPoint(true), 1);
   ASSERT_TRUE(waitFor(
-      [&] { return lessons().point().isVisible() && window_.plotView().frame().has_value(); }));
+      [&] { return player().point().isVisible() && window_.plotView().frame().has_value(); }));
   const auto key = [&](Qt::Key pressed) { QTest::keyClick(window_.windowHandle(), pressed); };
   key(Qt::Key_Return);
-  EXPECT_FALSE(lessons().point().point());
+  EXPECT_FALSE(player().point().point());
   key(Qt::Key_Up);
-  ASSERT_TRUE(lessons().point().point());
-  const double placed = lessons().point().point()->y();
+  ASSERT_TRUE(player().point().point());
+  const double placed = player().point().point()->y();
   key(Qt::Key_Return);
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_EQ(lessons().results().find(1)->given.number, placed);
+  EXPECT_EQ(player().results().find(1)->given.number, placed);
   EXPECT_TRUE(button("lessonNext").hasFocus());
 }
 
 TEST_F(LessonPointTest, AGuessStaysOnTheAxis) {
   lessons().start(sampleWithPoint(true), 1);
-  PredictionPoint& point = lessons().point();
+  PredictionPoint& point = player().point();
   ASSERT_TRUE(waitFor([&] { return point.isVisible() && chart().y.to == 1; }));
   ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
   const std::shared_ptr<const Frame> before = session().frame();

@@ -45,9 +45,9 @@ TEST_F(LessonResultsTest, AStudentsResultsAreShownInWords) {
   ASSERT_NE(goOn, nullptr);
   EXPECT_TRUE(goOn->isDefault()) << "it is the first button, which the Enter key presses";
   goOn->click();
-  ASSERT_TRUE(lessons().isRunning());
-  EXPECT_EQ(lessons().step(), 1);
-  EXPECT_TRUE(lessons().isRevealed());
+  ASSERT_TRUE(player().isRunning());
+  EXPECT_EQ(player().step(), 1);
+  EXPECT_TRUE(player().isRevealed());
 }
 
 /// Of a long lesson, too: a screen of 1024 x 700 pixels does not hold its table.

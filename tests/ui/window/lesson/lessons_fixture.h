@@ -28,11 +28,12 @@ class LessonsTest : public MainWindowTest {
       QSettings().remove(kept);
   }
   Lessons& lessons() { return window_.lessons(); }
+  LessonPlayer& player() { return lessons().player(); }
   QPushButton& button(const char* name) { return control<QPushButton>(name); }
   void click(const char* name) { QTest::mouseClick(&button(name), Qt::LeftButton); }
   QString said(const char* name) { return control<QLabel>(name).text(); }
   bool waitForAnswer() {
-    return waitFor([&] { return lessons().isRevealed(); });
+    return waitFor([&] { return player().isRevealed(); });
   }
   /// Answers the next question for files, of which several stand in quotation marks.
   void chooseFiles(const QString& files) {
