@@ -12,7 +12,7 @@ class FigureList : public QListWidget {
   Q_OBJECT
 
  public:
-  /// queue: the figures that are listed; it must outlive the list.
+  /// queue: the state of the figures that are listed.
   explicit FigureList(const FigureQueue& queue, QWidget* parent = nullptr);
 
   FigureName chosen() const;

@@ -55,8 +55,8 @@ class ImportPage : public QDialog {
   /// Shows why the result could not be kept, such as a folder that is read-only. It stays, and can
   /// be accepted again.
   void showFailure(const QString& reason);
-  /// Reads for begin(). It ends after the members of the derived class are destroyed, which what it
-  /// runs must not use.
+  /// Returns the background work of begin(). Its thread may run until this base is destroyed, so
+  /// what it runs must not use members of the derived class.
   BackgroundWork& work() { return work_; }
 
   void keyPressEvent(QKeyEvent* event) override;
