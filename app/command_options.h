@@ -114,7 +114,7 @@ auto withSceneContext(const CommonOptions& options, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw error.file().empty() && !error.isOfOption() ? error.in(options.scene) : error;
+    throw error.isOfOption() ? error : error.withFile(options.scene);
   }
 }
 

@@ -10,7 +10,6 @@
 #include "app/pictures/headless_pictures.h"
 #include "app/result_files.h"
 #include "core/base/atomic_file.h"
-#include "core/base/input_error.h"
 #include "core/base/named_choices.h"
 #include "core/base/text.h"
 #include "core/measured/measured_file.h"
@@ -124,19 +123,6 @@ void checkTable(const SurfaceCommand& command) {
                 "belongs to .csv tables, and no output is one");
 }
 
-/// Runs `work`. Where the command line names the file itself, an error of it names the file once,
-/// and no key.
-template <class Work>
-void withFileContext(bool isFile, const std::string& file, const Work& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    const std::vector<Message>& parts = error.message().values;
-    if (!isFile || error.key() != "surface.file" || parts.size() != 2) throw;
-    throw InputError(file, "", parts[1]);
-  }
-}
-
 }  // namespace
 
 int runSurface(const SurfaceCommand& command) {
@@ -160,7 +146,12 @@ int runSurface(const SurfaceCommand& command) {
       fmt::print("{}", surfaceJson(scene, source, line));
     }
   };
-  withSceneContext(command.common, [&] { withFileContext(isFile, command.common.scene, run); });
+  withSceneContext(command.common, [&] {
+    if (isFile)
+      withSurfaceFile(command.common.scene, run);
+    else
+      run();
+  });
   return kDone;
 }
 

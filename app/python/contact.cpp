@@ -171,20 +171,6 @@ std::shared_ptr<SurfaceOfScene> makeSurface(const Scene& scene, bool isOfFile,
   return found;
 }
 
-/// Names the file once where the file itself is what is wrong.
-std::shared_ptr<SurfaceOfScene> makeSurfaceFromFile(const Scene& scene, const std::string& file,
-                                                    std::int64_t realization,
-                                                    const std::stop_token& stop) {
-  try {
-    return makeSurface(scene, true, realization, stop);
-  } catch (const InputError& error) {
-    const std::vector<Message>& parts = error.message().values;
-    if (error.key() != "surface.file" || parts.size() != 2)
-      throw error.file().empty() && !error.isOfOption() ? error.in(file) : error;
-    throw InputError(file, "", parts[1]);
-  }
-}
-
 }  // namespace
 
 void addContact(py::module_& module) {
@@ -236,8 +222,8 @@ void addContact(py::module_& module) {
   module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
                            const py::object& progress) {
     return compute(progress, [scene, file, realization](const Call& call) {
-      return file.empty() ? makeSurface(scene, false, realization, call.stop())
-                          : makeSurfaceFromFile(scene, file, realization, call.stop());
+      const auto make = [&] { return makeSurface(scene, !file.empty(), realization, call.stop()); };
+      return file.empty() ? make() : withSurfaceFile(file, make);
     });
   });
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/scene/data_table.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
@@ -22,6 +23,19 @@ namespace asperity {
 /// over. Throws InputError.
 Scene surfaceFileScene(const std::filesystem::path& file,
                        const std::vector<std::string>& assignments);
+
+/// Runs `work` on such a scene, whose file is all that the user names: an error of the file names
+/// it once, and not the key that a scene has for it.
+template <class Work>
+auto withSurfaceFile(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    const std::vector<Message>& parts = error.message().values;
+    if (error.key() == "surface.file" && parts.size() == 2) throw InputError(file, "", parts[1]);
+    throw error.isOfOption() ? error : error.withFile(file);
+  }
+}
 
 /// Returns the points per element of a written line. A line from a file is written with its
 /// elements alone, and so is a line that this program wrote: read as a profile it is the same line.
