@@ -31,19 +31,19 @@ double Bounds::margin(double value) const {
 }
 
 Bounds within(double expected, double allowed) {
-  return {expected - allowed, expected + allowed};
+  return {expected - allowed, expected + allowed, message("within {} of {}", allowed, expected)};
+}
+
+Bounds between(double from, double to) {
+  return {from, to, message("between {} and {}", from, to)};
 }
 
 Bounds below(double border) {
-  Bounds bounds;
-  bounds.to = border;
-  return bounds;
+  return {Bounds{}.from, border, message("below {}", plain(border))};
 }
 
 Bounds above(double border) {
-  Bounds bounds;
-  bounds.from = border;
-  return bounds;
+  return {border, Bounds{}.to, message("above {}", border)};
 }
 
 Verdict verdict(const Estimate& measured, const Bounds& bounds) {
@@ -59,22 +59,28 @@ Verdict both(Verdict a, Verdict b) {
   return rank(a) <= rank(b) ? a : b;
 }
 
-void decide(Claim& claim, const Estimate& measured, const Bounds& bounds) {
+namespace {
+
+void setResult(Claim& claim, const Estimate& measured, const Bounds& bounds, Verdict holds) {
   claim.measured = measured;
   claim.bounds = bounds;
-  claim.holds = verdict(measured, bounds);
+  claim.holds = holds;
+  if (claim.criterion.empty()) claim.criterion = bounds.words;
+}
+
+}  // namespace
+
+void decide(Claim& claim, const Estimate& measured, const Bounds& bounds) {
+  setResult(claim, measured, bounds, verdict(measured, bounds));
 }
 
 void decideExactly(Claim& claim, double value, const Bounds& bounds) {
-  claim.measured = {value, kNotApplicable};
-  claim.bounds = bounds;
-  claim.holds = verdict({value, 0}, bounds);
+  setResult(claim, {value, kNotApplicable}, bounds, verdict({value, 0}, bounds));
 }
 
 void decideZero(Claim& claim, double value) {
   constexpr double kRounding = 1e-9;
   claim.expected = 0;
-  claim.criterion = message("below {}", plain(kRounding));
   decideExactly(claim, value, below(kRounding));
 }
 

@@ -21,11 +21,13 @@ enum class Verdict { Yes, No, Undecided, OnlyForScheme };
 struct Bounds {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
+  Message words{};  // "below 0.1"
 
   /// Returns the distance to the nearest border, below 0 outside.
   double margin(double value) const;
 };
 Bounds within(double expected, double allowed);
+Bounds between(double from, double to);
 Bounds below(double border);
 Bounds above(double border);
 
@@ -36,7 +38,7 @@ struct Claim {
   Message quantity{};  // meaning of `measured`, with its unit
   Estimate measured{};
   double expected = kNotApplicable;  // value in the paper; not every claim has one
-  Message criterion{};               // condition for the claim, in words
+  Message criterion{};               // condition for the claim; set before decide(), or its bounds
   Bounds bounds{};                   // the same as numbers
   Verdict holds = Verdict::Undecided;
   Message scheme{};  // for OnlyForScheme: the scheme
@@ -49,7 +51,8 @@ Verdict verdict(const Estimate& measured, const Bounds& bounds);
 /// Returns No if one of them is No, else Undecided if one of them is.
 Verdict both(Verdict a, Verdict b);
 
-/// Sets the claim's number, its bounds and the resulting verdict.
+/// Sets the claim's number, its bounds and the resulting verdict, and the criterion where the claim
+/// has none in other words.
 void decide(Claim& claim, const Estimate& measured, const Bounds& bounds);
 
 /// Does the same for a number without uncertainty except for rounding. NaN: there is no number.

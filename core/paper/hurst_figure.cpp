@@ -28,7 +28,6 @@ Claim linearClaim(const std::vector<GroupedMeans>& allMeans) {
               "for six Hurst exponents",
               "largest |n - 1| of \u03BC \u221D v\u207F over the five lowest velocities"};
   claim.expected = 0;
-  claim.criterion = "below 0.02";
   const std::size_t worst = decideByAll(claim, estimateEach(allMeans, deviation), below(0.02));
   claim.note = message("Largest at H = {:g}.", hurstExponent(allMeans[worst]));
   return claim;
@@ -60,7 +59,6 @@ Claim lawClaim(const std::vector<GroupedMeans>& allMeans) {
               "Fig. 3",
               "largest |\u03BC / Eq. (11) - 1| up to the maximum, \u03B2 as measured"};
   claim.expected = 0;
-  claim.criterion = "below 0.25";
   decideByAll(claim, estimateEach(allMeans, lawDeviation), below(0.25));
   std::vector<Message> each;
   for (const GroupedMeans& means : allMeans)
@@ -89,7 +87,6 @@ Claim outsideClaim(const std::vector<GroupedMeans>& allMeans) {
       "At high forces the decreasing region IV is outside the scope of practical velocities",
       "smallest \u03BC at the highest velocity over the maximum"};
   claim.expected = 1;
-  claim.criterion = "above 0.9";
   const GroupedMeans& worst =
       allMeans[decideByAll(claim, estimateEach(allMeans, leftAtTheEnd), above(0.9))];
   claim.note = message("At {:.3g} m/s, smallest at H = {:g}.", worst.velocities().back(),

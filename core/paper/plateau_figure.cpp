@@ -101,7 +101,6 @@ Claim hurstClaim(const std::vector<Tops>& all) {
       "On the plateau the coefficient of friction depends only weakly on the Hurst exponent",
       "smallest over largest plateau of the six Hurst exponents, F\u2099 / G h L near 10"};
   claim.expected = 1;
-  claim.criterion = "above 0.85";
   const auto ratio = [&](int out) {
     return findPlateau(low->means, at, out).value / findPlateau(high->means, at, out).value;
   };
@@ -128,7 +127,6 @@ Claim fallClaim(const std::vector<Tops>& all) {
     for (const Tops& one : all) sum += remainingPlateau(one, out);
     return sum / static_cast<double>(all.size());
   };
-  claim.criterion = "below 1";
   decide(claim, jackknife(all.front().means.groups(), mean), below(1));
   std::vector<Message> each;
   for (const Tops& one : all)
@@ -145,7 +143,6 @@ Claim strongerClaim(const std::vector<Tops>& all) {
               "gets stronger for H near 1",
               "what is left of the plateau at the smallest force, for the largest H over that for "
               "the smallest"};
-  claim.criterion = "below 1";
   const auto ratio = [&](int out) {
     return remainingPlateau(all.back(), out) / remainingPlateau(all.front(), out);
   };

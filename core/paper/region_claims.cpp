@@ -49,7 +49,6 @@ Claim viscousClaim(const GroupedMeans& means, const LoadShares& shares) {
               "elasticity does not play any role",
               "part of the normal force that the springs carry at the maximum of the curve"};
   claim.expected = 0;
-  claim.criterion = "below 0.1";
   decide(claim,
          jackknife(shares.groups(), [&](int out) { return elasticAtMaximum(means, shares, out); }),
          below(0.1));
@@ -70,7 +69,6 @@ Claim followClaim(const GroupedMeans& means, const LoadShares& shares) {
            shares.frictionOverSlope(0, kAtMaximum, out);
   };
   claim.expected = 1;
-  claim.criterion = "within 0.1 of 1";
   decide(claim, jackknife(shares.groups(), ratio), within(1, 0.1));
   const std::size_t last = means.velocities().size() - 1;
   claim.note = message(

@@ -88,7 +88,6 @@ Claim contactLawClaim(const GroupedMeans& means) {
   for (std::size_t j = 0; j < means.forces(); ++j)
     deviations.push_back(jackknife(means.groups(), [&](int out) { return deviation(j, out); }));
   claim.expected = 0;
-  claim.criterion = "below 0.02";
   decideByAll(claim, deviations, below(0.02));
   return claim;
 }
@@ -105,7 +104,6 @@ Claim slopeTrendClaim(const GroupedMeans& means) {
   Claim claim{"slope_in_contact_rises", "p. 4, Eq. (15)",
               "The rms slope in contact increases with the indentation, weakly",
               "rms slope in contact at the smallest force over that at the largest"};
-  claim.criterion = "below 1";
   decide(claim, slopeRatio(means, 0, last), below(1));
   // Eq. (15) as printed has the wrong sign of the exponent; with q^(2(1-H)) it is the sum of modes
   // shorter than the contact.
@@ -141,7 +139,6 @@ Claim roughSummitsClaim(const GroupedMeans& means, FigureWork& work) {
               "decrease with indentation",
               "rms slope in contact at the smallest force over that at the largest, with "
               "a summit correlation of 2"};
-  claim.criterion = "above 1";
   decide(claim, slopeRatio(rough, 0, 1), above(1));
   claim.note = message("With a summit correlation of {:g} it is {:.3f}.",
                        means.scene().surface.summitCorrelation, slopeRatio(means, 0, last).value);
@@ -186,8 +183,7 @@ Claim oneSidedClaim(const GroupedMeans& means, FigureWork& work) {
       "dimensionless velocity at which trailing sides carry a tenth of the load, F\u2099 / G h "
       "L = 0.01, 0.1 and 1: the most distant"};
   claim.expected = 1;
-  claim.criterion = "between 0.1 and 10";
-  decideByAll(claim, {velocities.data(), kPartial}, {0.1, 10});
+  decideByAll(claim, {velocities.data(), kPartial}, between(0.1, 10));
   std::vector<Message> each;
   for (std::size_t j = 0; j < kForces.size(); ++j)
     each.push_back(message("F\u2099 / G h L = {:g}: {:.2g}", kForces[j], velocities[j].value));
@@ -208,7 +204,6 @@ Claim plateauSpreadClaim(const GroupedMeans& means) {
   const auto lowest = static_cast<std::size_t>(low - tops.begin());
   const auto highest = static_cast<std::size_t>(high - tops.begin());
   claim.expected = 1;
-  claim.criterion = "above 0.8";
   const auto ratio = [&](int out) {
     return findPlateau(means, lowest, out).value / findPlateau(means, highest, out).value;
   };
@@ -287,7 +282,6 @@ Claim slopeSquaredClaim(const GroupedMeans& means, FigureWork& work) {
       "squared rms gradient, varied by the spacing",
       "exponent n of \u03BC \u221D grad\u207F at F\u2099 / G h L = 0.1"};
   claim.expected = 2;
-  claim.criterion = "within 0.1 of 2";
   const auto exponent = [&](int out) {
     return slopeExponent(allMeans, [&](const GroupedMeans& one) { return one.mu(0, 0, out); });
   };
@@ -314,9 +308,8 @@ Claim completeContactClaim(const GroupedMeans& means) {
       "F\u2099 / G h L of about 1 gives the order of magnitude of the force of complete contact",
       "F\u2099 / G h L at which 90 % of the line are in contact, at the lowest velocity"};
   claim.expected = 1;
-  claim.criterion = "between 0.1 and 10";
   decide(claim, jackknife(means.groups(), [&](int out) { return forceOfContact(means, 0.9, out); }),
-         {0.1, 10});
+         between(0.1, 10));
   return claim;
 }
 

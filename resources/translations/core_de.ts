@@ -527,6 +527,18 @@
         <translation>Abb. %1: %2</translation>
     </message>
     <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>within %1 of %2</source>
+        <translation>höchstens %1 von %2 entfernt</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
         <source>below %1</source>
         <translation>unter %1</translation>
     </message>
@@ -999,18 +1011,6 @@
         <translation>einem viskoelastischen Körper: mehr als 0</translation>
     </message>
     <message>
-        <source>above 0.8</source>
-        <translation>über 0,8</translation>
-    </message>
-    <message>
-        <source>above 0.85</source>
-        <translation>über 0,85</translation>
-    </message>
-    <message>
-        <source>above 0.9</source>
-        <translation>über 0,9</translation>
-    </message>
-    <message>
         <source>accuracy.target_relative_error needs about %1 lines at one velocity, and at most %2 are computed: the run takes about %3 and may miss the target</source>
         <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien, und höchstens %2 werden berechnet: Der Lauf dauert etwa %3 und verfehlt womöglich das Ziel</translation>
     </message>
@@ -1049,14 +1049,6 @@
     <message>
         <source>at velocity %1 m/s</source>
         <translation>bei der Geschwindigkeit %1 m/s</translation>
-    </message>
-    <message>
-        <source>below 0.02</source>
-        <translation>unter 0,02</translation>
-    </message>
-    <message>
-        <source>below 0.25</source>
-        <translation>unter 0,25</translation>
     </message>
     <message>
         <source>below 1e-9</source>
@@ -2031,18 +2023,6 @@
         <translation>Anteil der Normalkraft, den die Federn im Maximum der Kurve tragen</translation>
     </message>
     <message>
-        <source>below 0.1</source>
-        <translation>unter 0,1</translation>
-    </message>
-    <message>
-        <source>below 1</source>
-        <translation>unter 1</translation>
-    </message>
-    <message>
-        <source>above 1</source>
-        <translation>über 1</translation>
-    </message>
-    <message>
         <source>The trailing sides of the summits carry %1 % of it there.</source>
         <translation>Die ablaufenden Seiten der Gipfel tragen dort %1 % von ihr.</translation>
     </message>
@@ -2253,10 +2233,6 @@
     <message>
         <source>below 1e-9, on at least one point</source>
         <translation>unter 1e-9, an mindestens einem Punkt</translation>
-    </message>
-    <message>
-        <source>between 0.1 and 10</source>
-        <translation>zwischen 0,1 und 10</translation>
     </message>
     <message>
         <source>coefficient of friction</source>
@@ -2477,14 +2453,6 @@
     <message>
         <source>within 0.03 of the expected</source>
         <translation>höchstens 0,03 vom Erwarteten entfernt</translation>
-    </message>
-    <message>
-        <source>within 0.1 of 1</source>
-        <translation>höchstens 0,1 von 1 entfernt</translation>
-    </message>
-    <message>
-        <source>within 0.1 of 2</source>
-        <translation>höchstens 0,1 von 2 entfernt</translation>
     </message>
     <message>
         <source>within 10 % of √2</source>
