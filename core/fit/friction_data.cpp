@@ -15,7 +15,7 @@
 #include "core/fit/friction_preparation.h"
 #include "core/fit/friction_roles.h"
 #include "core/fit/friction_rows.h"
-#include "core/material/dma_cells.h"
+#include "core/material/table_forms.h"
 #include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 

@@ -10,12 +10,11 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/material/dma_cells.h"
-#include "core/material/dma_matrices.h"
 #include "core/material/dma_moduli.h"
 #include "core/material/dma_samples.h"
 #include "core/material/dma_sweeps.h"
 #include "core/material/dma_units.h"
+#include "core/material/table_forms.h"
 
 namespace asperity {
 namespace {

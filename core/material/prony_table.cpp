@@ -11,8 +11,8 @@
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
-#include "core/material/dma_cells.h"
 #include "core/material/stated_temperature.h"
+#include "core/material/table_forms.h"
 
 namespace asperity {
 namespace {
