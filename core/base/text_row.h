@@ -1,8 +1,10 @@
-// A line of a text table as one of its rows: the fields, and what each of them is. Pure; any
-// thread.
+// The lines of a text table as its rows: fields with line breaks, which spreadsheets write in
+// quotes, stand in one line each, and every line has fields of which it is known what they are.
+// Pure; any thread.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,18 @@
 #include "core/base/text_table.h"
 
 namespace asperity {
+
+/// A text whose quoted fields with line breaks, as spreadsheets write long names of columns, stand
+/// in one line each.
+struct JoinedText {
+  std::string_view text{};            // of the text given, or of `joined`
+  std::string joined{};               // where there are such fields
+  std::vector<std::size_t> breaks{};  // positions in it at which a line of the file ended
+
+  explicit JoinedText(std::string_view written);
+  JoinedText(const JoinedText&) = delete;  // the text may be its own
+  JoinedText& operator=(const JoinedText&) = delete;
+};
 
 struct TextRow {
   std::vector<std::string_view> fields{};  // of the line, with their blanks and quotes

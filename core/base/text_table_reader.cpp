@@ -8,7 +8,6 @@
 
 #include "core/base/column_units.h"
 #include "core/base/input_error.h"
-#include "core/base/quoted_names.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"

@@ -4,17 +4,11 @@
 
 #include <algorithm>
 
+#include "core/base/destroyer.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
-namespace {
-
-struct CloseFile {
-  void operator()(zip_file_t* file) const { zip_fclose(file); }
-};
-
-}  // namespace
 
 void ZipArchive::Close::operator()(zip* archive) const {
   zip_discard(archive);
@@ -69,7 +63,7 @@ std::string ZipArchive::read(const std::string& file, std::uint64_t limit) const
   if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 ||
       stat.size / kMaxDeflated > stat.comp_size + kAllowance)
     fail(file);
-  const std::unique_ptr<zip_file_t, CloseFile> open(
+  const std::unique_ptr<zip_file_t, Destroyer<zip_fclose>> open(
       zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));
   if (!open) fail(file);
   std::string bytes;
