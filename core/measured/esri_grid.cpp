@@ -7,6 +7,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/measured/text_surface.h"
+#include "core/measured/word_reader.h"
 
 namespace asperity {
 namespace {
@@ -48,10 +49,8 @@ class EsriReader {
     if (trimmedBlanks(line.text).empty()) return true;
     splitFields(line.text, table_.dialect.separator, fields_);
     while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty()) fields_.pop_back();
-    const auto read = [this](std::string_view field) {
-      return readField(field, table_.dialect.decimal);
-    };
-    const bool isText = isComment(line.text) || read(fields_.front()).kind == FieldKind::Text;
+    const bool isText = isComment(line.text) ||
+                        readField(fields_.front(), table_.dialect.decimal).kind == FieldKind::Text;
     if (points_ == 0 && isText) {
       block().header.push_back(parseEntry(line, table_.dialect));
       return true;
@@ -61,18 +60,16 @@ class EsriReader {
     if (isText && block().values.size() == points_) return false;
     widths_.push_back(fields_.size());
     for (const std::string_view text : fields_) {
-      const Field field = read(text);
       std::vector<double>& heights = block().values;
-      if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
-        source_.fail(
-            message("line {}: height {} is not a number", line.number, heights.size() + 1));
+      const double height =
+          parseHeight(source_, line.number, text, heights.size(), table_.dialect.decimal);
       if (heights.size() == points_)
         source_.fail(message("line {}: has more than the {} heights that the header says",
                              line.number, points_));
       if (heights.size() % block().columns.size() == 0)
         block().lines.push_back(static_cast<std::uint32_t>(line.number));
       source_.reportPoint(heights.size(), points_);
-      heights.push_back(field.value);
+      heights.push_back(height);
     }
     return true;
   }

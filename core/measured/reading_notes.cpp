@@ -40,6 +40,12 @@ Message formText(const ReadingFacts& facts) {
   return Message::name(name);
 }
 
+/// Returns a unit of the file as people write it: "um" is "\u00B5m".
+std::string printedUnit(const std::string& unit) {
+  // The second one was written in Shift-JIS and read as Latin-1.
+  return unit == "um" || unit == "\u0192\u00CAm" ? "\u00B5m" : unit;
+}
+
 /// Returns the unit that the file states, where the user's choice replaces it by another one.
 std::string replacedUnit(const UnitFact& chosen, const std::optional<StatedUnit>& stated,
                          const std::string& unknown) {
@@ -112,11 +118,6 @@ void noteLargeSizes(const Topography& grid, const ReadingFacts& facts,
 }
 
 }  // namespace
-
-std::string printedUnit(const std::string& unit) {
-  // The second one was written in Shift-JIS and read as Latin-1.
-  return unit == "um" || unit == "\u0192\u00CAm" ? "\u00B5m" : unit;
-}
 
 void addReadingNotes(SurfaceDraft& draft) {
   const Topography& grid = draft.grid;

@@ -12,9 +12,6 @@
 
 namespace asperity {
 
-/// Returns a unit of the file as people write it: "um" is "\u00B5m".
-std::string printedUnit(const std::string& unit);
-
 /// Completes the notes of a draft: first how the reader understood the file and what had to be
 /// assumed, then what is special about it.
 void addReadingNotes(SurfaceDraft& draft);

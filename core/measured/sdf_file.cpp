@@ -158,15 +158,11 @@ class SdfTextReader {
     header.dataType = static_cast<int>(whole("DataType", "7"));
     header.checkType = static_cast<int>(whole("CheckType", "0"));
     SurfaceDraft draft = makeDraft(source_, header);
-    // A height takes at least a digit and a blank.
-    requireSize(source_, header.columns, header.rows, reader_.left() + 1, 2);
-    const auto count = static_cast<std::size_t>(header.columns * header.rows);
     HeightWords words;
     words.scale = header.zScale;
     words.end = '*';
     words.decimal = decimalMark(reader_.rest().substr(0, reader_.rest().find(words.end)));
-    readHeights(source_, reader_, count, words, draft.grid.height);
-    requireNoMoreHeights(source_, reader_, count, words.decimal);
+    takeHeights(source_, reader_, words, draft.grid);
     return draft;
   }
 

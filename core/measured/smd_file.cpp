@@ -142,7 +142,7 @@ class SmdReader {
 
   void addNumber(std::string_view word, std::size_t most) {
     source_.reportPoint(numbers_.size(), most);
-    const double number = parseHeight(source_, reader_, word, numbers_.size());
+    const double number = parseHeight(source_, reader_.line(), word, numbers_.size());
     if (numbers_.size() == most)
       source_.fail(message("line {}: has more than the {} heights that the header says",
                            reader_.line(), most / 2));

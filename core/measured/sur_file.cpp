@@ -90,6 +90,10 @@ std::optional<StatedUnit> spacingUnit(const SurfaceSource& source, std::string_v
   return statedUnit(source, name, axis.lengthUnit);
 }
 
+[[noreturn]] void failUnpacking(const SurfaceSource& source) {
+  source.fail(message("the packed heights of the {} file cannot be unpacked", "SUR"));
+}
+
 /// Unpacks the streams of a packed file into one. The file states their number and the plain and
 /// packed size of each.
 std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_t expected) {
@@ -102,15 +106,13 @@ std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_
   std::string bytes;
   for (const auto& [plain, packed] : sizes) {
     const std::string_view stream = reader.take(packed);
-    if (plain > expected - std::min(expected, bytes.size()))
-      source.fail(message("the packed heights of the {} file cannot be unpacked", "SUR"));
+    if (plain > expected - std::min(expected, bytes.size())) failUnpacking(source);
     const std::size_t before = bytes.size();
     bytes.resize(before + plain);
     uLongf size = plain;
     const int status = ::uncompress(reinterpret_cast<Bytef*>(bytes.data() + before), &size,
                                     reinterpret_cast<const Bytef*>(stream.data()), packed);
-    if (status != Z_OK || size != plain)
-      source.fail(message("the packed heights of the {} file cannot be unpacked", "SUR"));
+    if (status != Z_OK || size != plain) failUnpacking(source);
     source.report(static_cast<double>(bytes.size()) / static_cast<double>(expected));
   }
   return bytes;
@@ -171,8 +173,7 @@ SurfaceDraft readSur(const SurfaceSource& source) {
   SurfaceDraft draft = makeDraft(source, header);
   const std::string plain = header.isPacked ? unpacked(source, reader, bytes) : std::string();
   const std::string_view data = header.isPacked ? std::string_view(plain) : reader.take(bytes);
-  if (data.size() < bytes)
-    source.fail(message("the packed heights of the {} file cannot be unpacked", "SUR"));
+  if (data.size() < bytes) failUnpacking(source);
   // The lowest height minus two marks a point that was not measured.
   takeHeights(source,
               {.bytes = data,

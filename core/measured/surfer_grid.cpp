@@ -58,11 +58,7 @@ SurfaceDraft readText(const SurfaceSource& source) {
   number("zlo");
   number("zhi");
   SurfaceDraft draft = makeDraft(header);
-  // A height takes at least a digit and a blank.
-  requireSize(source, header.columns, header.rows, reader.left() + 1, 2);
-  const auto points = static_cast<std::size_t>(header.columns * header.rows);
-  readHeights(source, reader, points, {.gaps = kBlanked}, draft.grid.height);
-  requireNoMoreHeights(source, reader, points);
+  takeHeights(source, reader, {.gaps = kBlanked}, draft.grid);
   return draft;
 }
 

@@ -28,11 +28,11 @@ std::optional<double> parseFiniteNumber(std::string_view word, char decimal) {
   return readTextNumber(word, decimal, number) ? std::optional(number) : std::nullopt;
 }
 
-double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+double parseHeight(const SurfaceSource& source, std::size_t line, std::string_view word,
                    std::size_t number, char decimal) {
   const Field field = readField(word, decimal);
   if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
-    source.fail(message("line {}: height {} is not a number", reader.line(), number + 1));
+    source.fail(message("line {}: height {} is not a number", line, number + 1));
   return field.value;
 }
 
@@ -44,16 +44,20 @@ void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t co
     const std::string_view word = reader.nextWord();
     if (word.empty() || word.front() == words.end)
       source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
-    const double number = parseHeight(source, reader, word, i, words.decimal);
+    const double number = parseHeight(source, reader.line(), word, i, words.decimal);
     const double height = number * words.scale;
     heights.push_back(words.gaps.contain(number) || !std::isfinite(height) ? kMissingHeight
                                                                            : height);
   }
 }
 
-void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
-                          char decimal) {
-  if (parseFiniteNumber(reader.nextWord(), decimal))
+void takeHeights(const SurfaceSource& source, WordReader& reader, const HeightWords& words,
+                 Topography& grid) {
+  // A height takes at least a digit and a blank.
+  requireSize(source, grid.columns, grid.rows, reader.left() + 1, 2);
+  const auto count = static_cast<std::size_t>(grid.columns * grid.rows);
+  readHeights(source, reader, count, words, grid.height);
+  if (parseFiniteNumber(reader.nextWord(), words.decimal))
     source.fail(message("line {}: has more than the {} heights that the header says", reader.line(),
                         count));
 }

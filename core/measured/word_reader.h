@@ -40,9 +40,8 @@ class WordReader {
 std::optional<double> parseFiniteNumber(std::string_view word, char decimal = '.');
 
 /// Returns the word as a height; NaN for a word that stands for a missing value. Throws InputError
-/// with the present line of the reader where it is neither. number: of the height, counted from 0,
-/// for the error.
-double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+/// where it is neither. line, number: of the height, which is counted from 0, for the error.
+double parseHeight(const SurfaceSource& source, std::size_t line, std::string_view word,
                    std::size_t number, char decimal = '.');
 
 /// How the heights of a file are written.
@@ -58,8 +57,9 @@ struct HeightWords {
 void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
                  const HeightWords& words, std::vector<double>& heights);
 
-/// Throws InputError where a further number follows `count` heights.
-void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
-                          char decimal = '.');
+/// Takes the heights of a grid whose numbers of columns and rows are known. Throws InputError where
+/// the text has fewer words, or a further number behind them.
+void takeHeights(const SurfaceSource& source, WordReader& reader, const HeightWords& words,
+                 Topography& grid);
 
 }  // namespace asperity

@@ -168,11 +168,7 @@ class ZygoTextReader {
     while (!reader_.atEnd() && !reader_.nextLine().starts_with('#')) {
     }
     const double scale = phaseStep(source_, number(8, 1), number(8, 2), number(8, 4), whole(11, 0));
-    const auto count = static_cast<std::size_t>(grid.columns * grid.rows);
-    requireSize(source_, grid.columns, grid.rows, reader_.left() + 1, 2);
-    readHeights(source_, reader_, count, {.scale = scale, .gaps = kNoPhase, .end = '#'},
-                grid.height);
-    requireNoMoreHeights(source_, reader_, count);
+    takeHeights(source_, reader_, {.scale = scale, .gaps = kNoPhase, .end = '#'}, grid);
   }
 
   const SurfaceSource& source_;
