@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
+#include "core/material/prony_fit.h"
 #include "core/material/prony_keywords.h"
 #include "core/material/prony_table.h"
 #include "core/material/stated_temperature.h"
@@ -22,7 +23,6 @@ namespace {
 
 void checkTerms(const RawSeries& series, const std::string& name) {
   if (series.terms.empty()) throw InputError(name, "", "holds no term of a Prony series");
-  constexpr std::size_t kMaxTerms = 64;
   if (series.terms.size() > kMaxTerms)
     throw InputError(name, "",
                      message("has {} terms; allowed is {}", series.terms.size(), kMaxTerms));

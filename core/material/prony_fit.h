@@ -42,7 +42,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOp
 /// Returns G' and G'' of the series at a frequency (Hz).
 DynamicModulus modulusAt(const PronySeries& series, double frequency);
 
-/// The largest number of relaxation times of a fit.
+/// The largest number of relaxation times of a series, fitted or read.
 inline constexpr int kMaxTerms = 64;
 
 }  // namespace asperity

@@ -23,7 +23,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-scene/1";
-constexpr std::string_view kMaterialSchema = "asperity-material/1";
 constexpr int kDeepestScene = 8, kDeepestMaterial = 8;
 constexpr std::string_view kSceneIsNeeded =
     "a scene is JSON in UTF-8; a measured surface is a file that a scene names as surface.file, "
