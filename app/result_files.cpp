@@ -116,19 +116,15 @@ void OutputFolder::addText(const std::string& name, std::string bytes) {
   texts_.push_back({fileIn(folder_, name), std::move(bytes)});
 }
 
-void OutputFolder::addSheet(const std::string& name, DiagramSheet sheet) {
-  sheets_.push_back({name, std::move(sheet)});
-}
-
 void OutputFolder::write(const std::vector<GivenOption>& given,
                          const std::function<nlohmann::ordered_json()>& origin) const {
   makeFolder(folder_);
   for (const Text& text : texts_) checkName(text.file);
-  for (const Sheet& sheet : sheets_)
+  for (const NamedSheet& sheet : sheets_)
     for (const char* extension : kFolderPictures)
       checkName(fileIn(folder_, sheet.name + extension));
   HeadlessPictures pictures(settings_.backend);
-  for (const Sheet& sheet : sheets_) {
+  for (const NamedSheet& sheet : sheets_) {
     const ProvenanceOptions options(optionsInFolder(given, sheet.name + kFolderPictures[0]));
     nlohmann::ordered_json made = origin();
     made["picture"] = settings_.json();
@@ -146,11 +142,11 @@ void OutputFolder::write(const std::vector<GivenOption>& given,
 std::string OutputFolder::summary() const {
   std::string lines;
   for (const Text& text : texts_) lines += wroteLine(text.file);
-  for (const Sheet& sheet : sheets_)
+  for (const NamedSheet& sheet : sheets_)
     lines += wroteLine(fileIn(folder_, sheet.name + ".png") + " (.svg, .pdf)");
   for (const std::string& name : others_)
     if (const std::string file = fileIn(folder_, name + ".png");
-        std::ranges::find(sheets_, name, &Sheet::name) == sheets_.end() &&
+        std::ranges::find(sheets_, name, &NamedSheet::name) == sheets_.end() &&
         std::filesystem::exists(file))
       lines += filledLine(Words::tr("not of this run: %1, left by an earlier one"), file);
   return lines;

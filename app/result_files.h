@@ -75,7 +75,7 @@ class OutputFolder {
 
   void addText(const std::string& name, std::string bytes);
   /// Adds a chart that is written as NAME.png, NAME.svg and NAME.pdf.
-  void addSheet(const std::string& name, DiagramSheet sheet);
+  void addSheet(NamedSheet sheet) { sheets_.push_back(std::move(sheet)); }
 
   /// States charts that other runs of the command make: the summary names those that an earlier run
   /// has left in the folder and this one does not replace.
@@ -93,17 +93,13 @@ class OutputFolder {
   struct Text {
     std::string file, bytes;
   };
-  struct Sheet {
-    std::string name;
-    DiagramSheet sheet;
-  };
   void checkName(const std::string& name) const;
 
   std::string folder_;
   std::vector<std::filesystem::path> inputs_;
   const PictureSettings& settings_;
   std::vector<Text> texts_;
-  std::vector<Sheet> sheets_;
+  std::vector<NamedSheet> sheets_;
   std::vector<std::string> others_;
 };
 

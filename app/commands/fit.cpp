@@ -43,7 +43,7 @@ int runFit(const FitCommand& command) {
     }();
     for (const auto& [name, bytes] : report.texts)
       output.addText(name, name.ends_with(".csv") ? columns.selectAvailable(bytes) : bytes);
-    for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
+    for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet);
     output.setOtherSheets({"profiles"});
     output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
     printSummary(command.common, translatedLines(describeFit(fitted.fit)) +

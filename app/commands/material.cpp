@@ -60,8 +60,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
     addTable("isotherms.csv", isothermsCsv(material));
     addTable("shifts.csv", shiftsCsv(material));
   }
-  for (NamedSheet& sheet : materialSheets(material))
-    output.addSheet(sheet.name, std::move(sheet.sheet));
+  for (NamedSheet& sheet : materialSheets(material)) output.addSheet(std::move(sheet));
   output.setOtherSheets({"isotherms", "shifts"});
   output.write(command.common.given, origin);
   std::string text = material.name + "\n";
@@ -85,7 +84,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
                      columnChoice(command).selectAvailable(provenanceComment("material", scene) +
                                                            excitationCsv(scene, excitation)));
     }
-    output.addSheet("excitation", excitationSheet(scene, excitation));
+    output.addSheet({"excitation", excitationSheet(scene, excitation)});
     output.write(command.common.given, [&] { return provenance("material", scene); });
     printSummary(command.common,
                  translated(describeExcitation(scene, excitation)) + "\n" + output.summary());

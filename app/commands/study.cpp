@@ -372,8 +372,7 @@ int runStudyAnalyse(const StudyCommand& command) {
     addTable("effects.csv", effectsCsv(study, analysis));
   }
   addTable("percentiles.csv", percentilesCsv(analysis));
-  for (NamedSheet& sheet : studySheets(study, analysis))
-    output.addSheet(sheet.name, std::move(sheet.sheet));
+  for (NamedSheet& sheet : studySheets(study, analysis)) output.addSheet(std::move(sheet));
   output.write(command.common.given, origin);
   std::string text =
       filledLine(Words::tr("%1 of %2 simulations"), analysis.simulations, study.simulations());
