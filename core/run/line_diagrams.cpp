@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/contact/line/polynomial.h"
+#include "core/measured/spectral_density.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
@@ -24,16 +25,12 @@ constexpr double kBandsPerDecade = 16;
 constexpr double kMinDensity = 1e-22;
 constexpr double kMaxSlopes = 4;  // rms slopes shown
 
-struct Spectrum {
-  std::vector<double> waveNumber, density;
-};
-
 double lowestWave(double length) {
   return 2 * std::numbers::pi / length;
 }
 
 /// Returns geometric means over equal bands of log q.
-Spectrum bandMeans(const FourierLine& modes) {
+SpectralDensity bandMeans(const FourierLine& modes) {
   const double lowest = lowestWave(modes.length);
   double greatest = 0;
   for (const auto& c : modes.coefficients) greatest = std::max(greatest, std::norm(c));
@@ -47,7 +44,7 @@ Spectrum bandMeans(const FourierLine& modes) {
     logDensities.push_back(std::log(square / lowest));
   }
   constexpr double kCentred = 0.5;  // each power of ten is in the middle of a band
-  Spectrum spectrum;
+  SpectralDensity spectrum;
   for (const IndexRange& band : logBands(numbers, kBandsPerDecade, kCentred)) {
     const auto meanOf = [&band](const std::vector<double>& values) {
       return mean(std::span(values).subspan(band.begin, band.size()));
@@ -59,7 +56,7 @@ Spectrum bandMeans(const FourierLine& modes) {
 }
 
 /// Returns the spectrum that the scene prescribes, before phases and summits.
-Spectrum prescribedSpectrum(const Scene& scene, const LineSource& source) {
+SpectralDensity prescribedSpectrum(const Scene& scene, const LineSource& source) {
   const Surface& surface = scene.surface;
   FourierLine modes;
   modes.length = source.length();
@@ -74,7 +71,7 @@ Spectrum prescribedSpectrum(const Scene& scene, const LineSource& source) {
 /// power law of a self-affine line with 0 <= H <= 1: the exponents of its lower and its upper half
 /// agree. The range is empty where there is none: measured spectra have a roll-off, a cut-off and
 /// noise.
-std::pair<double, double> powerLawRange(const Spectrum& spectrum) {
+std::pair<double, double> powerLawRange(const SpectralDensity& spectrum) {
   constexpr double kScatter = 1;  // rms residual of ln C; there are only a few of the longest waves
   constexpr double kDifference = 0.5;  // of the exponents of the halves: 0.25 of H
   const std::span<const double> q = spectrum.waveNumber, density = spectrum.density;
@@ -99,7 +96,7 @@ std::pair<double, double> powerLawRange(const Spectrum& spectrum) {
   return widest;
 }
 
-DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
+DiagramSeries seriesOf(const SpectralDensity& spectrum, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
   for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i)
@@ -280,7 +277,7 @@ DiagramSheet surfaceSheet(const Scene& scene, const Line& line) {
 
 SpectrumReading readSpectrum(const Scene& scene) {
   const LineSource source(scene, 1);
-  Spectrum spectrum = bandMeans(modesOf(source));
+  SpectralDensity spectrum = bandMeans(modesOf(source));
   SpectrumReading reading;
   const double rollOff =
       scene.surface.kind == SurfaceKind::SelfAffine ? scene.surface.rollOffWavelength : 0;
