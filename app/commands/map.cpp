@@ -21,7 +21,7 @@ ParameterMap compute(const Scene& scene, const MapCommand& command) {
   const MapAxis x = mapAxis(scene, xRange, &yRange), y = mapAxis(scene, yRange, &xRange);
   ProgressBar bar(Words::tr("states"), command.common.quiet);
   const auto cells = static_cast<double>(x.values.size() * y.values.size());
-  MapOptions options{.threads = command.common.threads};
+  StateOptions options{.threads = command.common.threads};
   options.progress = [&](double part) {
     bar.show(static_cast<std::int64_t>(part * cells), static_cast<std::int64_t>(cells));
   };

@@ -34,8 +34,7 @@ using Texts = std::vector<std::string>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Returns the options of a computation of states that Python waits for.
-template <class Options>
-Options callOptions(const Call& call, int threads) {
+StateOptions callOptions(const Call& call, int threads) {
   return {.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
             call.report(part);
           }};
@@ -128,7 +127,7 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
   }
   FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
     const std::vector<Scene> states = variedScenes(scene, overrides, count, call.stop());
-    const auto options = callOptions<StateOptions>(call, threads);
+    const auto options = callOptions(call, threads);
     const double before = processSeconds();
     SteadyStates slid = slideStates(states, options);
     return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
@@ -146,7 +145,7 @@ std::shared_ptr<ParameterMap> runMap(const Scene& scene, const Texts& x, const T
   const MapAxis alongX = mapAxis(scene, xRange, &yRange);
   const MapAxis alongY = mapAxis(scene, yRange, &xRange);
   return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
-    const auto options = callOptions<MapOptions>(call, threads);
+    const auto options = callOptions(call, threads);
     return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
   });
 }
@@ -171,7 +170,7 @@ std::shared_ptr<SensitivityOfScene> runSensitivity(const Scene& scene, int threa
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.sensitivity");
   return compute(progress, [scene, threads](const Call& call) {
-    const auto options = callOptions<StateOptions>(call, threads);
+    const auto options = callOptions(call, threads);
     std::vector<Sensitivity> all = sensitivities(scene, options);
     std::vector<Exponent> exponents = sensitivityExponents(scene, all);
     return std::make_shared<SensitivityOfScene>(

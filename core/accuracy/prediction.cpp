@@ -355,9 +355,8 @@ struct MapTrial {
 };
 
 MapTrial runTrial(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y) {
-  MapOptions options{.threads = 1};
   const double begin = threadSeconds();
-  MapTrial trial{mapStage(stage, scene, x, y, options)};
+  MapTrial trial{mapStage(stage, scene, x, y, {.threads = 1})};
   trial.seconds = threadSeconds() - begin;
   return trial;
 }

@@ -18,12 +18,11 @@ std::vector<LoadCase> makeCases(const std::vector<double>& normalForces,
 }  // namespace
 
 GroupedMeans::GroupedMeans(const Scene& scene, const std::vector<double>& normalForces,
-                           const std::vector<double>& velocities,
-                           const GroupedMeansOptions& options)
+                           const std::vector<double>& velocities, const StateOptions& options)
     : GroupedMeans(scene, makeCases(normalForces, velocities), options) {}
 
 GroupedMeans::GroupedMeans(const Scene& scene, std::vector<LoadCase> cases,
-                           const GroupedMeansOptions& options)
+                           const StateOptions& options)
     : scene_(scene), cases_(std::move(cases)) {
   const LineSource source(scene_, curvePointsPerElement(scene_));
   line_ = source.statistics();
@@ -41,7 +40,8 @@ GroupedMeans::GroupedMeans(const Scene& scene, std::vector<LoadCase> cases,
       {source, {&part, 1}}, realizations_, options.threads, options.stop,
       [&](std::span<const SteadyResult> results) { add(taken++, results); },
       [&](std::int64_t done) {
-        if (options.progress) options.progress(done, realizations_);
+        if (options.progress)
+          options.progress(static_cast<double>(done) / static_cast<double>(realizations_));
       });
   if (!isWhole) throw StopRequested{};
 }

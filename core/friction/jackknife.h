@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "core/base/statistics.h"
@@ -19,16 +18,11 @@
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
 #include "core/friction/realizations.h"
+#include "core/friction/steady_states.h"
 #include "core/scene/scene.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
-
-struct GroupedMeansOptions {
-  int threads = 0;
-  std::stop_token stop;
-  std::function<void(std::int64_t done, std::int64_t total)> progress;
-};
 
 class GroupedMeans {
  public:
@@ -39,9 +33,9 @@ class GroupedMeans {
 
   /// normalForces (N) and velocities (m/s) are both ascending.
   GroupedMeans(const Scene& scene, const std::vector<double>& normalForces,
-               const std::vector<double>& velocities, const GroupedMeansOptions& options);
+               const std::vector<double>& velocities, const StateOptions& options);
   /// Each force has its own velocities, all of one number.
-  GroupedMeans(const Scene& scene, std::vector<LoadCase> cases, const GroupedMeansOptions& options);
+  GroupedMeans(const Scene& scene, std::vector<LoadCase> cases, const StateOptions& options);
 
   const Scene& scene() const { return scene_; }
   std::size_t forces() const { return cases_.size(); }

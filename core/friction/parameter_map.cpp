@@ -88,10 +88,6 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
   requireNoTarget(scene, "a map has the same lines in every cell");
 }
 
-StateOptions stateOptions(const MapOptions& options) {
-  return {.threads = options.threads, .stop = options.stop};
-}
-
 /// Returns the slope at t of the parabola through three points.
 double parabolaSlope(const std::array<double, 3>& x, const std::array<double, 3>& y, double t) {
   const double first = (y[1] - y[0]) / (x[1] - x[0]);
@@ -185,25 +181,25 @@ ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int6
 }
 
 ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
-                      const MapOptions& options) {
+                      const StateOptions& options) {
   checkMap(scene, x, y);
   const bool isCoarse = stage == MapStage::Coarse;
   const std::int64_t all = scene.ensemble.realizations;  // 0: every row of a measured surface
   std::int64_t lines = 1;
   if (stage == MapStage::FewLines) lines = all == 0 ? kFewLines : std::min(kFewLines, all);
-  return computeStage(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, lines,
-                      stateOptions(options));
+  return computeStage(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, lines, options);
 }
 
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
-                          const MapOptions& options) {
+                          const StateOptions& options, const MapPreview& preview) {
   checkMap(scene, x, y);
-  StateOptions work = stateOptions(options);
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
   const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
-    if (!options.preview || options.stop.stop_requested()) return;
-    ParameterMap stage = computeStage(scene, alongX, alongY, lines, work);
-    if (stage.isComplete) options.preview(std::move(stage));
+    if (!preview || options.stop.stop_requested()) return;
+    StateOptions quiet = options;
+    quiet.progress = {};
+    ParameterMap stage = computeStage(scene, alongX, alongY, lines, quiet);
+    if (stage.isComplete) preview(std::move(stage));
   };
   const MapAxis fewX = coarse(x), fewY = coarse(y);
   const bool isLarge = fewX.values.size() < x.values.size() || fewY.values.size() < y.values.size();
@@ -212,8 +208,7 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
   // Every row of a measured surface (0) is usually hundreds.
   const std::int64_t all = scene.ensemble.realizations;
   if (hasManyLines && (all == 0 || all > 2 * kFewLines)) show(x, y, kFewLines);
-  work.progress = options.progress;
-  ParameterMap map = computeStage(scene, x, y, 0, work);
+  ParameterMap map = computeStage(scene, x, y, 0, options);
   map.isFinal = map.isComplete;
   return map;
 }

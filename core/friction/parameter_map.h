@@ -16,12 +16,12 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/friction/curve_point.h"
+#include "core/friction/steady_states.h"
 #include "core/scene/parameters.h"
 #include "core/scene/range.h"
 #include "core/scene/scene.h"
@@ -64,20 +64,15 @@ struct ParameterMap {
   }
 };
 
-struct MapOptions {
-  int threads = 0;  // 0: as many as the machine has
-  std::stop_token stop{};
-  /// Called with the part of the work that is done, from one thread at a time; may be empty.
-  std::function<void(double part)> progress{};
-  /// Called with each stage before the last one; may be empty, which leaves these stages out.
-  std::function<void(ParameterMap stage)> preview{};
-};
+/// Called with each stage of a map before the last one.
+using MapPreview = std::function<void(ParameterMap stage)>;
 
 /// Computes the map. Throws InputError where the axes have the same key, or more cells than are
 /// allowed, or the scene has a target accuracy, which would need another number of lines in each
-/// cell.
+/// cell. options: the progress is that of the last stage. preview: where it is empty, the stages
+/// before the last one are left out.
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
-                          const MapOptions& options = {});
+                          const StateOptions& options = {}, const MapPreview& preview = {});
 
 /// The preliminary stages: at most 16 x 16 of the cells on one line; all cells on one line; all
 /// cells on ten lines, or on those of the scene where they are fewer.
@@ -85,7 +80,7 @@ enum class MapStage { Coarse, OneLine, FewLines };
 
 /// Computes such a stage at the resolution of the whole map. Throws as parameterMap.
 ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
-                      const MapOptions& options = {});
+                      const StateOptions& options = {});
 
 /// Returns the map's scene with other values of its two parameters; whole numbers are rounded.
 /// Throws InputError where a value is not allowed.

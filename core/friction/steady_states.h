@@ -26,6 +26,7 @@
 
 namespace asperity {
 
+/// The options of everything that slides many states or lines. The last two are of slideStates.
 struct StateOptions {
   int threads = 0;  // 0: as many as the machine has
   std::stop_token stop{};

@@ -22,7 +22,7 @@ struct Reading {
 /// The lines of a scene, with one element at each node, and the marches over them.
 class Marches {
  public:
-  Marches(const Scene& scene, std::int64_t lines, const GroupedMeansOptions& options)
+  Marches(const Scene& scene, std::int64_t lines, const StateOptions& options)
       : options_(options), jobs_(options.threads) {
     const LineSource source(scene, 1);
     rmsSlope_ = source.statistics().rmsSlope;
@@ -49,11 +49,11 @@ class Marches {
 
   void report(std::size_t done, std::size_t total) const {
     if (options_.progress)
-      options_.progress(static_cast<std::int64_t>(done), static_cast<std::int64_t>(total));
+      options_.progress(static_cast<double>(done) / static_cast<double>(total));
   }
 
  private:
-  const GroupedMeansOptions& options_;
+  const StateOptions& options_;
   Jobs jobs_;
   double rmsSlope_ = 0;
   std::vector<std::shared_ptr<const Line>> lines_;
@@ -145,7 +145,7 @@ Estimate exponentFrom(std::span<const ElementPoint> points, double velocity) {
 }
 
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
-                                       std::int64_t lines, const GroupedMeansOptions& options) {
+                                       std::int64_t lines, const StateOptions& options) {
   Marches marches(scene, lines, options);
   std::vector<ElementPoint> points;
   for (const double velocity : velocities) {
@@ -159,7 +159,7 @@ std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const doubl
 
 std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const double> velocities,
                                         std::int64_t lines, const FineSteps& steps,
-                                        const GroupedMeansOptions& options) {
+                                        const StateOptions& options) {
   Marches marches(scene, lines, options);
   const auto computePoint = [&](double velocity, std::int64_t perSpacing) {
     ElementPoint point = marches.point(velocity, [&](const std::shared_ptr<const Line>& line) {

@@ -35,7 +35,7 @@ Estimate exponentFrom(std::span<const ElementPoint> points, double velocity);
 /// may be partly loaded; its result agrees within 1e-4 with that of many periods from a flat
 /// elastomer.
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
-                                       std::int64_t lines, const GroupedMeansOptions& options);
+                                       std::int64_t lines, const StateOptions& options);
 
 /// The number of steps per spacing: from `first` on, doubled until twice as many change mu by less
 /// than `tolerance`, as the mean over the lines of the relative change. Contact at high velocity is
@@ -53,6 +53,6 @@ struct FineSteps {
 /// velocities ascending; the curve ends before the first one at which `most` steps are too few.
 std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const double> velocities,
                                         std::int64_t lines, const FineSteps& steps,
-                                        const GroupedMeansOptions& options);
+                                        const StateOptions& options);
 
 }  // namespace asperity

@@ -173,13 +173,12 @@ bool isInPaperRange(double hurst) {
 FigureWork::FigureWork(const FigureOptions& options, double totalCost)
     : options_(options), total_(totalCost) {}
 
-GroupedMeansOptions FigureWork::next(double cost) {
-  GroupedMeansOptions options{options_.threads, options_.stop, {}};
+StateOptions FigureWork::next(double cost) {
+  StateOptions options{.threads = options_.threads, .stop = options_.stop};
   const double before = done_;
   done_ += cost;
   if (options_.progress)
-    options.progress = [this, before, cost](std::int64_t done, std::int64_t total) {
-      const double part = static_cast<double>(done) / static_cast<double>(total);
+    options.progress = [this, before, cost](double part) {
       options_.progress((before + cost * part) / total_);
     };
   return options;

@@ -107,7 +107,7 @@ class FigureWork {
   GroupedMeans computeMeans(const Scene& scene, const std::vector<double>& normalForces,
                             const std::vector<double>& velocities, double cost);
   /// Returns options for other work whose progress counts as `cost`.
-  GroupedMeansOptions next(double cost);
+  StateOptions next(double cost);
 
  private:
   const FigureOptions& options_;

@@ -9,7 +9,7 @@
 namespace asperity {
 
 LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int64_t lines,
-                       const GroupedMeansOptions& options)
+                       const StateOptions& options)
     : cases_(std::move(cases)) {
   const LineSource source(scene, pointsPerElement(scene));
   const std::size_t cells = cellIndex(cases_.size(), 0);
@@ -29,7 +29,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
   for (std::size_t r = 0; r < each.size(); ++r)
     for (std::size_t cell = 0; cell < cells; ++cell)
       sums_[r % static_cast<std::size_t>(groups_) * cells + cell].add(each[r][cell]);
-  if (options.progress) options.progress(lines, lines);
+  if (options.progress) options.progress(1);
 }
 
 void LoadShares::Sums::add(const Sums& other) {

@@ -18,7 +18,7 @@ class LoadShares {
   /// Computes cases at a constant force on the scene's first lines; the lines take turns in the
   /// groups of the jackknife, as in GroupedMeans.
   LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int64_t lines,
-             const GroupedMeansOptions& options);
+             const StateOptions& options);
 
   int groups() const { return groups_; }
   const LoadCase& loadCase(std::size_t j) const { return cases_[j]; }

@@ -54,14 +54,13 @@ Timed timedMap(const Scene& scene, const std::string& x, const std::string& y, i
     const Clock::time_point begin = Clock::now();
     const double work = processorSeconds();
     double first = 0, firstWork = 0;
-    MapOptions options;
-    options.threads = kThreads;
-    options.preview = [&](const ParameterMap&) {
+    const auto preview = [&](const ParameterMap&) {
       if (first > 0) return;
       first = seconds(begin);
       firstWork = processorSeconds() - work;
     };
-    const ParameterMap map = parameterMap(scene, side(scene, x), side(scene, y), options);
+    const ParameterMap map =
+        parameterMap(scene, side(scene, x), side(scene, y), {.threads = kThreads}, preview);
     best.whole = std::min(best.whole, seconds(begin));
     best.work = std::min(best.work, processorSeconds() - work);
     best.first = std::min(best.first, first);
@@ -95,17 +94,14 @@ double slowestCancel(const Scene& scene, int tries) {
   for (int i = 0; i < tries; ++i) {
     std::stop_source source;
     Clock::time_point asked;
-    MapOptions options;
-    options.threads = kThreads;
-    options.stop = source.get_token();
-    options.preview = [](const ParameterMap&) {};
     std::jthread asking([&] {
       std::this_thread::sleep_for(std::chrono::microseconds(2000 + 9137 * i));
       asked = Clock::now();
       source.request_stop();
     });
     parameterMap(scene, side(scene, "sliding.velocity=1e-5:1e3:64"),
-                 side(scene, "load.normal_force=1e-3:10:64"), options);
+                 side(scene, "load.normal_force=1e-3:10:64"),
+                 {.threads = kThreads, .stop = source.get_token()}, [](const ParameterMap&) {});
     const Clock::time_point back = Clock::now();
     asking.join();
     slowest = std::max(slowest, std::chrono::duration<double>(back - asked).count());

@@ -111,10 +111,8 @@ TEST(MapCost, IsThatOfTheMap) {
     double predicted = HUGE_VAL, spent = HUGE_VAL;
     for (int i = 0; i < 3; ++i) {
       predicted = std::min(predicted, predictMap(scene, along, across, 1).seconds);
-      MapOptions options;
-      options.threads = 1;
       const double begin = threadSeconds();
-      parameterMap(scene, along, across, options);
+      parameterMap(scene, along, across, {.threads = 1});
       spent = std::min(spent, threadSeconds() - begin);
     }
     EXPECT_LT(std::abs(std::log(predicted / spent)), std::log(2.0)) << predicted << ' ' << spent;

@@ -19,7 +19,7 @@ Scene groupedScene(std::int64_t realizations = 12) {
 }
 
 GroupedMeans meansOf(const Scene& scene, int threads = 0) {
-  GroupedMeansOptions options;
+  StateOptions options;
   options.threads = threads;
   return {scene,
           {scene.load.normalForce, 10 * scene.load.normalForce},
@@ -85,7 +85,7 @@ TEST(GroupedMeans, PooledSlopeBelongsToEquation6) {
 TEST(GroupedMeans, StopsOnRequest) {
   std::stop_source source;
   source.request_stop();
-  GroupedMeansOptions options;
+  StateOptions options;
   options.stop = source.get_token();
   EXPECT_THROW(GroupedMeans(groupedScene(), {0.1}, {1.0}, options), StopRequested);
 }

@@ -32,8 +32,8 @@ MapAxis side(const Scene& scene, const std::string& range) {
 }
 
 ParameterMap mapOf(const Scene& scene, const std::string& x, const std::string& y,
-                   const MapOptions& options = {}) {
-  return parameterMap(scene, side(scene, x), side(scene, y), options);
+                   const StateOptions& options = {}, const MapPreview& preview = {}) {
+  return parameterMap(scene, side(scene, x), side(scene, y), options, preview);
 }
 
 void expectCellsOfCurves(const ParameterMap& map, double tolerance) {
@@ -143,11 +143,9 @@ TEST(ParameterMap, OverForceAndModulusDependsOnTheirRatio) {
 TEST(ParameterMap, AnyNumberOfThreadsGivesTheSameBytes) {
   std::string first;
   for (const int threads : {1, 2, 5}) {
-    MapOptions options;
-    options.threads = threads;
-    const std::string text = mapCsv(
-        mapOf(mappedScene(), "sliding.velocity=1e-4:10:40", "load.normal_force=1e-3:1:30", options),
-        "exponent");
+    const std::string text = mapCsv(mapOf(mappedScene(), "sliding.velocity=1e-4:10:40",
+                                          "load.normal_force=1e-3:1:30", {.threads = threads}),
+                                    "exponent");
     if (first.empty()) first = text;
     EXPECT_EQ(text, first);
   }
@@ -155,13 +153,12 @@ TEST(ParameterMap, AnyNumberOfThreadsGivesTheSameBytes) {
 
 TEST(ParameterMap, PreviewsComeFromCoarseToFine) {
   std::vector<std::pair<std::size_t, std::int64_t>> stages;
-  MapOptions options;
-  options.preview = [&](const ParameterMap& stage) {
+  const auto preview = [&](const ParameterMap& stage) {
     stages.emplace_back(stage.points.size(), stage.points.front().realizations);
     EXPECT_FALSE(stage.isFinal);
   };
-  const ParameterMap map =
-      mapOf(mappedScene(), "sliding.velocity=1e-4:10:20", "load.normal_force=1e-3:1:18", options);
+  const ParameterMap map = mapOf(mappedScene(), "sliding.velocity=1e-4:10:20",
+                                 "load.normal_force=1e-3:1:18", {}, preview);
   EXPECT_EQ(stages, (std::vector<std::pair<std::size_t, std::int64_t>>{{256, 1}, {360, 1}}));
   EXPECT_TRUE(map.isFinal);
   EXPECT_EQ(map.points.front().realizations, 4);
@@ -170,7 +167,7 @@ TEST(ParameterMap, PreviewsComeFromCoarseToFine) {
 TEST(ParameterMap, StopsSoon) {
   Scene scene = sceneOfSize(5000, 5, 200);
   std::stop_source source;
-  MapOptions options;
+  StateOptions options;
   options.stop = source.get_token();
   std::chrono::steady_clock::time_point asked;
   std::thread stopper([&] {

@@ -12,7 +12,7 @@ namespace {
 
 LoadShares sharesAt(const Scene& scene, double force, std::vector<double> velocities,
                     std::int64_t lines = 1, int threads = 1) {
-  GroupedMeansOptions options;
+  StateOptions options;
   options.threads = threads;
   return {scene, {atForce(force, std::move(velocities))}, lines, options};
 }

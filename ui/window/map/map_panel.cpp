@@ -266,9 +266,8 @@ void MapPanel::request(const MapAxis& x, const MapAxis& y) {
   showTarget();
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
-        MapOptions options;
-        options.stop = run.stop();
-        options.preview = [this, &run](ParameterMap stage) {
+        StateOptions options{.stop = run.stop()};
+        const auto preview = [this, &run](ParameterMap stage) {
           run.post([this, stage = std::make_shared<ParameterMap>(std::move(stage))] {
             take(std::move(*stage));
           });
@@ -282,7 +281,7 @@ void MapPanel::request(const MapAxis& x, const MapAxis& y) {
           lines_ = lines;
           showProgress();
         });
-        ParameterMap map = parameterMap(scene, x, y, options);
+        ParameterMap map = parameterMap(scene, x, y, options, preview);
         if (!map.isComplete) throw StopRequested{};
         return map;
       },
