@@ -30,6 +30,7 @@
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_files.h"
+#include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/draw/picture_file.h"
@@ -329,7 +330,7 @@ class BatchRun {
                       {"picture", settings_.json()},
                       {"backend", static_cast<int>(settings_.backend)},
                       {"options", optionsFor(item.name + ".png")},
-                      {"origin", provenance("batch", item.scene)}};
+                      {"origin", lineProvenance("batch", item.scene)}};
     return sha256(jsonLine(all));
   }
 
@@ -355,7 +356,7 @@ class BatchRun {
     for (const BatchResult& result : results_) {
       Json& one = scenes.emplace_back(itemJson(result.item));
       if (!result.item.error.empty()) continue;
-      const Json own = provenance("batch", result.item.scene);
+      const Json own = lineProvenance("batch", result.item.scene);
       for (const char* member : {"inputs", "scene"})
         if (own.contains(member)) one[member] = own[member];
     }
@@ -394,7 +395,7 @@ class BatchRun {
         if (std::isfinite(mean.muInterface)) entry["mu_total"] = totalMu(mean);
         entry["realizations"] = result.mean ? Json(mean.realizations) : Json();
         entry["line_mu"] = numberOrNull(result.lineMu);
-        entry["provenance"] = provenance("batch", result.item.scene);
+        entry["provenance"] = lineProvenance("batch", result.item.scene);
         addReadingFacts(entry, result.reading);
       }
       list.push_back(std::move(entry));

@@ -82,7 +82,7 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
   withSceneContext(command, [&] {
     // The solver throws where there is no steady state; such a scene is not valid.
     if (scene.sliding.kind == SlidingKind::Steady) const SteadySolver solver(scene);
-    const LineSource source(scene, pointsPerElement(scene));
+    const LineSource source(scene, linePoints(scene));
     const LawInput in = lawInput(
         elementLaw(scene.elastomer), source.statistics(), source.length(), scene.surface.hurst,
         loadOn(scene.load, source.length()).normalForce, scene.sliding.velocity);
@@ -91,7 +91,7 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
     const std::string name = isOneOfMany ? command.scene + ": " : "";
     printSummary(command, name + summaryText(scene, source, in, reading) +
                               (warning ? "  " + translated(*warning) + "\n" : ""));
-    answers.push_back(provenance("check", scene));
+    answers.push_back(lineProvenance("check", scene));
     if (isOneOfMany) answers.back()["file"] = command.scene;
     answers.back()["valid"] = true;
     answers.back()["derived"] = derivedJson(scene, source, in);

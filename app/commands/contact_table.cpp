@@ -11,6 +11,7 @@
 #include "core/run/contact_tables.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
+#include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/language/language.h"
@@ -61,7 +62,7 @@ Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& 
                  const DataTable& table, const ColumnChoice& columns,
                  const std::vector<Message>& reading, const std::optional<Message>& warning) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
-  Json answer = provenance("render", scene);
+  Json answer = lineProvenance("render", scene);
   addReadingFacts(answer, reading);
   answer["table"] = tableName(command);
   answer["time"] = frame.time;

@@ -20,6 +20,7 @@
 #include "core/run/contact_tables.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
+#include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/contact/contact_overlay.h"
@@ -224,7 +225,7 @@ class Rendering {
   /// picture.
   Json origin() const {
     const ProvenanceOptions given(optionsFor(command_.common.given, command_.output + ".png"));
-    Json origin = provenance("render", scene_);
+    Json origin = lineProvenance("render", scene_);
     if (showsCurve(layout_)) addCurveOversampling(origin, scene_);
     Json& picture = origin["picture"] = settings_.json();
     picture["layout"] = command_.layout;

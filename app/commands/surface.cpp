@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "app/command_line.h"
 #include "app/output.h"
@@ -52,12 +53,23 @@ std::string measuredText(const MeasuredSummary& summary) {
   return text;
 }
 
-DiagramSheet lineSheet(const Scene& scene, const LineSource& source, const Line& line) {
-  if (!source.measured()) return surfaceSheet(scene, line);
+/// What the command writes of: the first line of a scene, and the summary of a measured surface.
+struct LineOfScene {
+  const Scene& scene;
+  LineSource source;
+  Line line;
+  std::optional<MeasuredSummary> measured{};
+
+  const MeasuredSummary* summary() const { return measured ? &*measured : nullptr; }
+};
+
+DiagramSheet lineSheet(const LineOfScene& made) {
+  const Scene& scene = made.scene;
+  if (!made.measured) return surfaceSheet(scene, made.line);
   const std::string title =
       scene.title.empty() ? printable(std::filesystem::path(scene.surface.file).filename().string())
                           : scene.title;
-  return measuredSheet(measuredSummary(scene, source), title);
+  return measuredSheet(*made.measured, title);
 }
 
 /// Returns the settings of the picture, which is higher for a measured surface: it has one more
@@ -68,12 +80,13 @@ PictureSettings surfaceSettings(const SurfaceCommand& command, bool isMeasured) 
   return pictureSettings(command.picture, defaults);
 }
 
-void writePicture(const std::string& output, const SurfaceCommand& command, const Scene& scene,
-                  const LineSource& source, const Line& line) {
-  const PictureSettings settings = surfaceSettings(command, source.measured() != nullptr);
+void writePicture(const std::string& output, const SurfaceCommand& command,
+                  const LineOfScene& made) {
+  const PictureSettings settings = surfaceSettings(command, made.measured.has_value());
   HeadlessPictures pictures(settings.backend);
-  pictures.write(output, drawSheet(lineSheet(scene, source, line), settings),
-                 settings.properties(translated(scene.title), pictureOrigin("surface", scene)));
+  pictures.write(
+      output, drawSheet(lineSheet(made), settings),
+      settings.properties(translated(made.scene.title), pictureOrigin("surface", made.scene)));
   pictures.finish();
 }
 
@@ -92,23 +105,33 @@ ColumnChoice columnChoice(const SurfaceCommand& command) {
   return {command.columns, {isLine ? "surface" : command.table}};
 }
 
-std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& source,
-                    const Line& line) {
-  if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(source));
-  if (table == SurfaceTable::Statistics) return tableCsv(statisticsTable(scene, source, line));
-  return lineCsv(line);
+std::string csvText(SurfaceTable table, const LineOfScene& made) {
+  if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(made.source));
+  if (table == SurfaceTable::Statistics)
+    return tableCsv(statisticsTable(made.line, made.summary()));
+  return lineCsv(made.line);
 }
 
-void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
-                  const LineSource& source, const Line& line) {
+std::string jsonText(const LineOfScene& made) {
+  return surfaceJson(made.scene, made.source, made.line, made.summary());
+}
+
+void writeSurface(const std::string& output, const SurfaceCommand& command,
+                  const LineOfScene& made) {
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = fileExtension(output);
   if (extension == ".csv" || output == "-")
-    writeTable(output, provenanceComment("surface", scene) +
-                           columnChoice(command).select(
-                               csvText(chosenTable(command), scene, source, line)));
-  if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
-  if (isPictureFile(output)) writePicture(output, command, scene, source, line);
+    writeTable(output, provenanceComment("surface", made.scene) +
+                           columnChoice(command).select(csvText(chosenTable(command), made)));
+  if (extension == ".json") writeFileAtomically(output, jsonText(made));
+  if (isPictureFile(output)) writePicture(output, command, made);
+}
+
+/// Returns whether an output shows the spectra of a measured surface.
+bool needsSpectra(const SurfaceCommand& command) {
+  return command.common.json || std::ranges::any_of(command.outputs, [](const auto& output) {
+           return isPictureFile(output) || fileExtension(output) == ".json";
+         });
 }
 
 /// Throws for unknown options of tables, and for any of them where no output is a table.
@@ -133,17 +156,22 @@ int runSurface(const SurfaceCommand& command) {
   checkTable(command);
   const auto run = [&] {
     findLinesWithProgress(scene, command.common.quiet);
-    const LineSource source(scene, writtenPointsPerElement(scene, isFile));
-    const Line line = source.make(0);
-    const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
-                                                : translatedLines(source.spectrumFacts())) +
-                             noteLines(lineNotes(source)) + summaryText(line, command.outputs);
+    LineOfScene made{scene, LineSource(scene, writtenPointsPerElement(scene, isFile)), {}};
+    made.line = made.source.make(0);
+    if (made.source.measured())
+      made.measured = measuredSummary(
+          scene, made.source,
+          needsSpectra(command) ? SummarySpectra::Computed : SummarySpectra::Omitted);
+    const std::string text = (made.measured ? measuredText(*made.measured)
+                                            : translatedLines(made.source.spectrumFacts())) +
+                             noteLines(lineNotes(made.source)) +
+                             summaryText(made.line, command.outputs);
     for (const std::string& output : command.outputs)
-      if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
+      if (output != "-" || !command.common.json) writeSurface(output, command, made);
     printSummary(command.common, text, hasStandardOutput(command.outputs));
     if (command.common.json) {
       const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
-      fmt::print("{}", surfaceJson(scene, source, line));
+      fmt::print("{}", jsonText(made));
     }
   };
   withSceneContext(command.common, [&] {

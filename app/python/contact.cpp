@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/python/arrays.h"
 #include "app/python/call.h"
@@ -162,12 +163,13 @@ std::shared_ptr<SurfaceOfScene> makeSurface(const Scene& scene, bool isOfFile,
   found->isFirst = realization == 0;
   throwIfStopped(stop);
   const ProvenanceOptions given(found->options());
-  found->json = surfaceJson(scene, source, found->line);
+  std::optional<MeasuredSummary> measured;
+  if (source.measured()) measured = measuredSummary(scene, source);
+  found->json = surfaceJson(scene, source, found->line, measured ? &*measured : nullptr);
   throwIfStopped(stop);
   for (std::size_t i = 0; i < found->line.nodes(); ++i)
     found->position.push_back(static_cast<double>(i) * found->line.spacing);
-  found->facts = englishOf(source.measured() ? factsOf(measuredSummary(scene, source))
-                                             : source.spectrumFacts());
+  found->facts = englishOf(measured ? factsOf(*measured) : source.spectrumFacts());
   return found;
 }
 

@@ -125,7 +125,8 @@ void analyze(Explanation& explanation, int threads) {
 
 std::string explanationJson(const Explanation& explanation) {
   Json root = provenance("explain", explanation.scene);
-  root["oversampling_used"] = provenance(explanation.verb, explanation.scene)["oversampling_used"];
+  root["oversampling_used"] =
+      lineProvenance(explanation.verb, explanation.scene)["oversampling_used"];
   root["of_verb"] = explanation.verb;
   Json stages = Json::array();
   for (const PlanStage& stage : explanation.stages)

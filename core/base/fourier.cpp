@@ -23,11 +23,13 @@ double* writable(const double* values) {
 /// Held while a plan is made or destroyed.
 constinit std::mutex plannerLock;
 
-/// The plans that were used last, the latest at the end.
+/// The plans that were used last, the latest at the end. A large one is kept only as long as a
+/// transform uses it.
 struct KeptPlans {
   static constexpr std::size_t kMax = 8, kMaxPoints = 1 << 18;
   std::mutex lock;
   std::vector<std::shared_ptr<const FourierPlans>> plans;
+  std::weak_ptr<const FourierPlans> large;
 };
 
 template <class Value>
@@ -52,9 +54,14 @@ std::size_t fastTransformSize(std::size_t count) {
 }
 
 std::shared_ptr<const FourierPlans> FourierPlans::forSize(std::size_t points, Arrays arrays) {
-  if (points > KeptPlans::kMaxPoints) return std::make_shared<const FourierPlans>(points, arrays);
   static KeptPlans kept;
   const std::lock_guard lock(kept.lock);
+  if (points > KeptPlans::kMaxPoints) {
+    std::shared_ptr<const FourierPlans> large = kept.large.lock();
+    if (!large || large->points() != points || large->arrays() != arrays)
+      kept.large = large = std::make_shared<const FourierPlans>(points, arrays);
+    return large;
+  }
   auto found = std::ranges::find_if(kept.plans, [&](const auto& plans) {
     return plans->points() == points && plans->arrays() == arrays;
   });
@@ -67,30 +74,44 @@ std::shared_ptr<const FourierPlans> FourierPlans::forSize(std::size_t points, Ar
   return kept.plans.back();
 }
 
-FourierPlans::FourierPlans(std::size_t points, Arrays arrays) : points_(points), arrays_(arrays) {
-  // Estimated plans look at the alignment of the arrays, not at what is in them.
+namespace {
+
+/// Returns the plan that `make` makes of arrays for a size and the flags of the planner. Estimated
+/// plans look at the alignment of the arrays, not at what is in them.
+template <class Make>
+fftw_plan estimated(std::size_t points, FourierPlans::Arrays arrays, const Make& make) {
   const auto values = aligned<double>(points);
   const auto modes = aligned<std::complex<double>>(points / 2 + 1);
-  const unsigned flags = FFTW_ESTIMATE | (arrays == Arrays::Any ? FFTW_UNALIGNED : 0);
-  const int size = static_cast<int>(points);
+  const unsigned flags = FFTW_ESTIMATE | (arrays == FourierPlans::Arrays::Any ? FFTW_UNALIGNED : 0);
   const std::lock_guard lock(plannerLock);
-  forward_ =
-      fftw_plan_dft_r2c_1d(size, values.get(), raw(modes.get()), flags | FFTW_PRESERVE_INPUT);
-  backward_ =
-      fftw_plan_dft_c2r_1d(size, raw(modes.get()), values.get(), flags | FFTW_DESTROY_INPUT);
+  return make(static_cast<int>(points), values.get(), raw(modes.get()), flags);
 }
+
+}  // namespace
+
+FourierPlans::FourierPlans(std::size_t points, Arrays arrays) : points_(points), arrays_(arrays) {}
 
 FourierPlans::~FourierPlans() {
   const std::lock_guard lock(plannerLock);
-  fftw_destroy_plan(forward_);
-  fftw_destroy_plan(backward_);
+  for (fftw_plan plan : {forward_, backward_})
+    if (plan) fftw_destroy_plan(plan);
 }
 
 void FourierPlans::forward(const double* values, std::complex<double>* modes) const {
+  std::call_once(isForwardMade_, [this] {
+    forward_ = estimated(points_, arrays_, [](int size, double* in, auto* out, unsigned flags) {
+      return fftw_plan_dft_r2c_1d(size, in, out, flags | FFTW_PRESERVE_INPUT);
+    });
+  });
   fftw_execute_dft_r2c(forward_, writable(values), raw(modes));
 }
 
 void FourierPlans::backward(std::complex<double>* modes, double* values) const {
+  std::call_once(isBackwardMade_, [this] {
+    backward_ = estimated(points_, arrays_, [](int size, double* out, auto* in, unsigned flags) {
+      return fftw_plan_dft_c2r_1d(size, in, out, flags | FFTW_DESTROY_INPUT);
+    });
+  });
   fftw_execute_dft_c2r(backward_, raw(modes), values);
 }
 

@@ -8,6 +8,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,9 @@ class FourierPlans {
  private:
   std::size_t points_;
   Arrays arrays_;
-  fftw_plan_s *forward_, *backward_;
+  // Each plan is made when its direction is used first: most users need only one.
+  mutable std::once_flag isForwardMade_, isBackwardMade_;
+  mutable fftw_plan_s *forward_ = nullptr, *backward_ = nullptr;
 };
 
 /// Returns the next number of points, not below `count`, that has no prime factor above 5:

@@ -12,11 +12,46 @@
 namespace asperity {
 namespace {
 
+constexpr double kRoundingOfRange = 1e-6;  // of the range, as of numbers in single precision
+
+/// Calls `take` with the difference of each two neighbours that were both measured.
+template <class Take>
+void forEachDifference(std::span<const double> heights, const Take& take) {
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    if (!std::isnan(heights[i]) && !std::isnan(heights[i - 1])) take(heights[i] - heights[i - 1]);
+}
+
+/// The differences of neighbours: their number, their standard deviation and the smallest magnitude
+/// of those that are more than rounding; and the range of the heights.
+struct Differences {
+  std::size_t count = 0;
+  double spread = 0, smallest = HUGE_VAL, range = 0;
+};
+
+Differences differencesOf(std::span<const double> heights) {
+  Differences found;
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;
+  for (const double height : heights) {
+    if (height < lowest) lowest = height;
+    if (height > highest) highest = height;
+  }
+  found.range = highest - lowest;
+  forEachDifference(heights, [&](double) { ++found.count; });
+  double mean = 0, square = 0;
+  forEachDifference(heights, [&](double difference) {
+    mean += difference / static_cast<double>(found.count);
+    square += difference * difference / static_cast<double>(found.count);
+    const double size = std::abs(difference);
+    if (size > kRoundingOfRange * found.range && size < found.smallest) found.smallest = size;
+  });
+  found.spread = std::sqrt(std::max(square - mean * mean, 0.0));
+  return found;
+}
+
 /// The heights that occur, ascending; those that differ by rounding alone count once.
 std::vector<double> levelsOf(std::vector<double> heights) {
-  constexpr double kRounding = 1e-6;  // of the range, as of numbers in single precision
   std::ranges::sort(heights);
-  const double apart = kRounding * (heights.back() - heights.front());
+  const double apart = kRoundingOfRange * (heights.back() - heights.front());
   std::vector<double> levels{heights.front()};
   for (const double height : heights)
     if (height - levels.back() > apart) levels.push_back(height);
@@ -56,24 +91,24 @@ bool isExactShape(std::span<const double> differences, double step) {
 HeightSteps coarseSteps(std::span<const double> heights) {
   constexpr double kOfStep = 1.4;
   constexpr std::size_t kMinLevels = 4;
-  std::vector<double> known, differences;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (std::isnan(heights[i])) continue;
-    known.push_back(heights[i]);
-    if (i > 0 && !std::isnan(heights[i - 1])) differences.push_back(heights[i] - heights[i - 1]);
-  }
-  if (differences.empty()) return {};
-  double mean = 0, square = 0;
-  for (const double difference : differences) {
-    mean += difference / static_cast<double>(differences.size());
-    square += difference * difference / static_cast<double>(differences.size());
-  }
-  const double spread = std::sqrt(std::max(square - mean * mean, 0.0));
+  const Differences found = differencesOf(heights);
+  if (found.count == 0) return {};
+  // The distance of two levels is at most the rounding above the difference of two heights of them,
+  // and a common step is less than 1.5 times the smallest distance. Most profiles end here.
+  constexpr double kLargest = 1.6;
+  if (found.spread > kOfStep * kLargest * (found.smallest + kRoundingOfRange * found.range))
+    return {};
+  std::vector<double> known;
+  for (const double height : heights)
+    if (!std::isnan(height)) known.push_back(height);
   const std::vector<double> levels = levelsOf(std::move(known));
   if (levels.size() < kMinLevels) return {};
   const double step = commonStep(levels);
-  if (!(step > 0) || spread > kOfStep * step || isExactShape(differences, step)) return {};
-  return {step, static_cast<std::int64_t>(levels.size()), spread};
+  if (!(step > 0) || found.spread > kOfStep * step) return {};
+  std::vector<double> differences;
+  forEachDifference(heights, [&](double difference) { differences.push_back(difference); });
+  if (isExactShape(differences, step)) return {};
+  return {step, static_cast<std::int64_t>(levels.size()), found.spread};
 }
 
 namespace {

@@ -92,6 +92,8 @@ SpectralDensity hannSpectrum(std::span<const double> heights, double spacing) {
   const std::vector<double> powers = hannPowers(heights);
   const double lowest = kTwoPi / (static_cast<double>(heights.size()) * spacing);
   SpectralDensity density;
+  density.waveNumber.reserve(powers.size());
+  density.density.reserve(powers.size());
   for (std::size_t k = 1; k < powers.size(); ++k) {
     density.waveNumber.push_back(lowest * static_cast<double>(k));
     density.density.push_back(powers[k] / (2 * lowest));

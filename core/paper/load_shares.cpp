@@ -11,7 +11,7 @@ namespace asperity {
 LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int64_t lines,
                        const StateOptions& options)
     : cases_(std::move(cases)) {
-  const LineSource source(scene, pointsPerElement(scene));
+  const LineSource source(scene, linePoints(scene));
   const std::size_t cells = cellIndex(cases_.size(), 0);
   std::vector<std::vector<Sums>> each(static_cast<std::size_t>(lines));
   Jobs(options.threads).run(lines, [&](std::int64_t r) {

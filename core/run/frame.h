@@ -74,6 +74,7 @@ struct Frame {
   double velocity = 0;  // m/s, at present; below 0 the line moves backwards
 
   double length = 0;                  // m, period
+  std::int64_t elements = 0;          // of the line, per period; points may be more
   double spacing = 0;                 // m between points
   std::vector<double> lineHeight;     // m, z - d
   std::vector<double> surfaceHeight;  // m, u

@@ -103,7 +103,7 @@ Scene refined(const Scene& scene) {
   Scene fine = scene;
   const Scheme scheme =
       scene.accuracy.scheme == Scheme::Nodal ? Scheme::Cubic : scene.accuracy.scheme;
-  fine.accuracy = {scheme, 2 * pointsPerElement(scene), 0};
+  fine.accuracy = {scheme, 2 * linePoints(scene), 0};
   return fine;
 }
 
@@ -167,7 +167,7 @@ double memoryOf(const Transient& transient, double elements) {
 /// allowed.
 PilotScene sampleFor(const PilotScene& whole, double weight, double allowed) {
   const Accuracy& accuracy = whole.scene.accuracy;
-  const std::int64_t points = pointsPerElement(whole.scene);
+  const std::int64_t points = linePoints(whole.scene);
   PilotScene sample = sampleWithin(whole, kMarches * kMinWindows * kWindow * weight,
                                    static_cast<double>(points), allowed);
   if (accuracy.scheme != Scheme::Nodal) sample.scene.accuracy = {accuracy.scheme, points, 0};
@@ -201,7 +201,7 @@ Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
   const double steps = Beginning(sampleFor(whole, weight, kMinWork)).transient.countSteps();
   Prediction prediction;
   prediction.steps = steps;
-  prediction.elements = whole.elements() * static_cast<double>(pointsPerElement(scene));
+  prediction.elements = whole.elements() * static_cast<double>(linePoints(scene));
   prediction.runOperations = steps * prediction.elements * weight;
   const double allowed = std::clamp(0.1 * prediction.runOperations, kMinWork, kMaxWork);
   const Beginning begin(sampleFor(whole, weight, allowed));
@@ -229,8 +229,7 @@ void addMarchErrors(WorkPrecision& comparison) {
     Piece piece{comparison.scene};
     // The march has the points of the line that it is compared with.
     if (comparison.scene.accuracy.scheme != Scheme::Nodal)
-      piece.scene.accuracy = {comparison.scene.accuracy.scheme, pointsPerElement(comparison.scene),
-                              0};
+      piece.scene.accuracy = {comparison.scene.accuracy.scheme, linePoints(comparison.scene), 0};
     Sliding& sliding = piece.scene.sliding;
     sliding.kind = SlidingKind::Step;  // with a step that changes nothing
     sliding.velocity = region.middleVelocity();

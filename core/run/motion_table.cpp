@@ -336,7 +336,7 @@ std::string motionCsv(const MotionTable& table) {
 }
 
 Json motionProvenance(const std::string& verb, const Scene& scene, const MotionTable& table) {
-  Json root = provenance(verb, scene);
+  Json root = lineProvenance(verb, scene);
   // They stand at the end, so that their position does not depend on how they were given.
   for (const char* own : {"every", "lines"})
     if (root.contains("options")) root["options"].erase(own);

@@ -7,21 +7,24 @@
 
 #include "core/scene/plan.h"
 #include "core/scene/scene_check.h"
-#include "core/surface/line_source.h"
 
 namespace asperity {
 
-RigidLine::RigidLine(Line made, Scheme scheme)
-    : line(std::make_shared<Line>(std::move(made))), prepared(prepareProfile(*line, scheme)) {}
+RigidLine::RigidLine(Line made, Scheme scheme, std::int64_t itsElements)
+    : line(std::make_shared<Line>(std::move(made))),
+      prepared(prepareProfile(*line, scheme)),
+      elements(itsElements) {}
+
+RigidLine::RigidLine(const LineSource& source, const Scene& scene, std::int64_t realization)
+    : RigidLine(source.make(realization), scene.accuracy.scheme, source.elements()) {}
 
 RigidLine::RigidLine(const Scene& scene, std::int64_t realization, const Profile* profile)
-    : RigidLine(LineSource(scene, pointsPerElement(scene), profile).make(realization),
-                scene.accuracy.scheme) {
+    : RigidLine(LineSource(scene, linePoints(scene), profile), scene, realization) {
   countStage(Stage::Line);
 }
 
 RigidLine RigidLine::withPoints(const Scene& scene, std::int64_t points) {
-  return {LineSource(scene, points).make(0), scene.accuracy.scheme};
+  return {LineSource(scene, points), scene, 0};
 }
 
 RigidLine RigidLine::coarser(std::size_t every, std::size_t first) const {
@@ -35,7 +38,7 @@ RigidLine RigidLine::coarser(std::size_t every, std::size_t first) const {
   coarse.height = thinned(line->height);
   coarse.slopeAfter = thinned(line->slopeAfter);
   coarse.slopeBefore = thinned(line->slopeBefore);
-  return {std::move(coarse), prepared.scheme};
+  return {std::move(coarse), prepared.scheme, elements};
 }
 
 MarchLoad marchLoad(const Load& load, double length) {

@@ -12,6 +12,7 @@
 #include "core/contact/march/time_march.h"
 #include "core/contact/steady_solver.h"
 #include "core/scene/scene.h"
+#include "core/surface/line_source.h"
 #include "core/surface/profile_file.h"
 
 namespace asperity {
@@ -27,11 +28,15 @@ struct RigidLine {
   /// 0; `every` must divide the number of nodes.
   RigidLine coarser(std::size_t every, std::size_t first = 0) const;
 
+  LineSize size() const { return {line->length, elements}; }
+
   std::shared_ptr<const Line> line;
   PreparedProfile prepared;
+  std::int64_t elements = 0;  // per period, whatever part of their points the line has
 
  private:
-  RigidLine(Line made, Scheme scheme);
+  RigidLine(Line made, Scheme scheme, std::int64_t itsElements);
+  RigidLine(const LineSource& source, const Scene& scene, std::int64_t realization);
 };
 
 /// Returns the load on one period of a line of this length (m): a nominal pressure as the force

@@ -69,7 +69,8 @@ std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
                                          const std::shared_ptr<const RigidLine>& known) {
   const bool same = last && last->surface == scene.surface && last->accuracy == scene.accuracy &&
                     last->folder == scene.folder &&
-                    pointsPerElement(*last) == pointsPerElement(scene);
+                    static_cast<std::int64_t>(known->line->nodes()) ==
+                        known->elements * pointsPerElement(scene, known->size());
   return same ? known : std::make_shared<RigidLine>(scene);
 }
 
@@ -251,7 +252,10 @@ void Simulation::stepOnce(double dt, double distance) {
 }
 
 bool Simulation::resolvesContacts() const {
-  if (isRough(ready_->scene->surface) && pointsPerElement(*ready_->scene) < 2) return false;
+  const RigidLine& rigid = *ready_->rigid;
+  if (isRough(ready_->scene->surface) &&
+      static_cast<std::int64_t>(rigid.line->nodes()) < 2 * rigid.elements)
+    return false;
   return touching_ >= kMinElements * contactSpots_;
 }
 
@@ -435,6 +439,7 @@ Frame Simulation::marchedFrame() const {
   if (motion_ && time_ == 0 && needsStage(*ready_->scene, Purpose::Picture, Stage::StartFromRest))
     frame.velocity = 0;
   frame.length = ready_->line().length;
+  frame.elements = ready_->rigid->elements;
   frame.spacing = ready_->line().spacing;
   frame.pressure = march().pressure();
   for (const double depth : march().depth()) frame.surfaceHeight.push_back(-depth);

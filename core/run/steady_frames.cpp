@@ -72,6 +72,7 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
   Frame frame;
   frame.scene = std::move(scene);
   frame.length = line.length;
+  frame.elements = rigid.elements;
   frame.spacing = line.spacing;
   frame.surfaceHeight = inLineOrder(profile, shape.nodes.depth);
   frame.pressure = inLineOrder(profile, shape.nodes.pressure);

@@ -50,12 +50,14 @@ std::string withoutMarkup(std::string_view json) {
   return line;
 }
 
-/// Returns null where a curve with a target accuracy has another number at each velocity.
+/// Returns null where a curve with a target accuracy has another number at each velocity, and where
+/// only the surface's file has the size of the line that decides.
 Json levelOversampling(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
   const bool isOfCurve = verb == "curve" || verb == "map" || verb == "sensitivity" ||
                          verb == "cutoff" || verb == "figure" || verb == "accuracy";
-  return isOfCurve ? curvePointsPerElement(scene) : pointsPerElement(scene);
+  if (isOfCurve) return curvePointsPerElement(scene);
+  return needsSizeOfFile(scene) ? Json() : Json(pointsPerElement(scene));
 }
 
 constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from

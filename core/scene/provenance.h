@@ -19,7 +19,8 @@ namespace asperity {
 /// "oversampling_used", "inputs" (a list of {"key", "name", "sha256"}, where the scene names
 /// files), "scene"}. The number used is that of a friction curve for the verbs that
 /// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
-/// velocity.
+/// velocity, and for a motion whose line has its size from a file (lineProvenance adds it,
+/// core/surface/line_source.h).
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
 
 /// The options of a run that shape its outputs, as words of the command line without their dashes:

@@ -27,10 +27,17 @@ constexpr double kSmallMarch = 5e6;                         // steps times point
 constexpr std::int64_t kMaxPoints = std::int64_t{1} << 25;  // of a line: 3 GB
 constexpr double kPartOfStandardError = 0.5;
 
+LineSize statedSize(const Scene& scene) {
+  return {scene.surface.length, scene.surface.elements};
+}
+
 /// Limits the points so that the line fits the memory of usual machines.
-std::int64_t withinMemory(const Scene& scene, std::int64_t points) {
-  while (points > 1 && scene.surface.elements * points > kMaxPoints) points /= 2;
+std::int64_t withinMemory(std::int64_t elements, std::int64_t points) {
+  while (points > 1 && elements * points > kMaxPoints) points /= 2;
   return points;
+}
+std::int64_t withinMemory(const Scene& scene, std::int64_t points) {
+  return withinMemory(scene.surface.elements, points);
 }
 
 /// Returns the resolution that the scene prescribes: a number, the paper's elements, or a target.
@@ -41,6 +48,12 @@ std::int64_t statedPoints(const Scene& scene) {
   if (!choosesAccuracy(scene)) return accuracy.oversampling;
   const double target = accuracy.targetRelativeError;
   return withinMemory(scene, target >= 0.01 ? 4 : target >= 1e-3 ? 8 : 16);
+}
+
+/// Returns whether the points of a motion follow from its cost.
+bool choosesPointsOfMarch(const Scene& scene) {
+  return scene.sliding.kind != SlidingKind::Steady && scene.accuracy.scheme != Scheme::Nodal &&
+         (choosesAccuracy(scene) || scene.accuracy.oversampling == 0);
 }
 
 /// Returns the mean depth to which the elastomer is pressed at rest, over the rms height. Contact
@@ -79,11 +92,11 @@ double independentLines(const Scene& scene) {
 }
 
 /// Returns the largest resolution at which the march of a motion is small; the usual one where
-/// none is, or where only the surface's file has the size of the line.
-std::int64_t marchedPoints(const Scene& scene) {
-  const auto elements = static_cast<double>(scene.surface.elements);
+/// none is, or where the size of the line is unknown.
+std::int64_t marchedPoints(const Scene& scene, const LineSize& line) {
+  const auto elements = static_cast<double>(line.elements);
   std::int64_t points = kPointsOfOneLine;
-  if (!(elements > 0) || !(scene.surface.length > 0)) return points;
+  if (!(elements > 0) || !(line.length > 0)) return points;
   const Motion motion(scene.sliding);
   const double slid = motion.fastest(0, motion.duration()) * motion.duration();
   const double periods = motion.isSmooth() ? scene.sliding.frequency * motion.duration() : 0;
@@ -93,7 +106,7 @@ std::int64_t marchedPoints(const Scene& scene) {
                            : 1;
   const auto workAt = [&](std::int64_t pointsThere) {
     const double nodes = elements * static_cast<double>(pointsThere);
-    return std::max(leastSteps, slid / scene.surface.length * nodes) * nodes * modes;
+    return std::max(leastSteps, slid / line.length * nodes) * nodes * modes;
   };
   while (points < kMaxPointsOfMarch && workAt(2 * points) <= kSmallMarch) points *= 2;
   return points;
@@ -101,12 +114,24 @@ std::int64_t marchedPoints(const Scene& scene) {
 
 }  // namespace
 
-std::int64_t pointsPerElement(const Scene& scene) {
-  if (const std::int64_t stated = statedPoints(scene); stated > 0) return stated;
-  // Elements that are marched in time do not use the segments between them.
-  if (scene.sliding.kind != SlidingKind::Steady) return withinMemory(scene, marchedPoints(scene));
+std::int64_t pointsPerElement(const Scene& scene, const LineSize& line) {
+  const std::int64_t stated = statedPoints(scene);
+  // Elements that are marched in time do not use the segments between them. A target is that of
+  // steady states, and never gives a motion fewer points.
+  if (choosesPointsOfMarch(scene))
+    return std::max(stated, withinMemory(line.elements, marchedPoints(scene, line)));
+  if (stated > 0) return stated;
   const bool isStraight = scene.accuracy.scheme == Scheme::Linear;
   return withinMemory(scene, isStraight ? kStraightPoints : kPointsOfOneLine);
+}
+
+std::int64_t pointsPerElement(const Scene& scene) {
+  return pointsPerElement(scene, statedSize(scene));
+}
+
+bool needsSizeOfFile(const Scene& scene) {
+  return choosesPointsOfMarch(scene) && hasSurfaceFile(scene.surface) &&
+         (scene.surface.elements == 0 || scene.surface.length == 0);
 }
 
 std::int64_t curvePointsPerElement(const Scene& scene) {

@@ -235,11 +235,26 @@ inline bool choosesAccuracy(const Scene& scene) {
   return scene.accuracy.scheme == Scheme::Cubic && scene.accuracy.targetRelativeError > 0;
 }
 
+/// The size of one period of a line; 0 where unknown.
+struct LineSize {
+  double length = 0;  // m
+  std::int64_t elements = 0;
+
+  bool operator==(const LineSize&) const = default;
+};
+
 /// Returns the points per element of one line: of a picture, a motion, a profile. It is the number
 /// that the scene states or else the program chooses; the paper's separate elements have one point
-/// each. A motion that costs little has more points. With a target accuracy it is the number that a
-/// single state of the line needs.
+/// each. A motion that costs little has more points, if the size of its line is known. With a
+/// target accuracy it is the number that a single state of the line needs.
+std::int64_t pointsPerElement(const Scene& scene, const LineSize& line);
+
+/// Returns the same for a line whose size the scene states. Where the line of a motion has its size
+/// from a file, call linePoints (core/surface/line_source.h).
 std::int64_t pointsPerElement(const Scene& scene);
+
+/// Returns whether the points per element depend on a size that only the surface's file has.
+bool needsSizeOfFile(const Scene& scene);
 
 /// Returns the points per element of the lines of a friction curve, chosen so that the error of the
 /// resolution stays below half of the standard error. A curve to a target accuracy does not use it,

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
+#include "core/scene/provenance.h"
 #include "core/surface/random_phases.h"
 #include "core/surface/spectrum_file.h"
 
@@ -175,6 +177,23 @@ LineExtent lineExtent(const Scene& scene) {
   const ProfileExtent file = readFile(scene, profileExtent);
   return {profileLength(surface, file.length), surface.elements > 0 ? surface.elements : file.rows,
           file.rows, file.rmsHeight};
+}
+
+std::int64_t linePoints(const Scene& scene) {
+  if (!needsSizeOfFile(scene)) return pointsPerElement(scene);
+  const LineExtent extent = lineExtent(scene);
+  return pointsPerElement(scene, {extent.length, extent.elements});
+}
+
+nlohmann::ordered_json lineProvenance(const std::string& verb, const Scene& scene) {
+  nlohmann::ordered_json root = provenance(verb, scene);
+  if (!needsSizeOfFile(scene) || !root["oversampling_used"].is_null()) return root;
+  try {
+    root["oversampling_used"] = linePoints(scene);
+  } catch (const InputError&) {
+    // The command that needs the line reports the error.
+  }
+  return root;
 }
 
 Profile readProfileStart(const Scene& scene, std::int64_t rows) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -32,6 +33,13 @@ struct LineExtent {
   std::int64_t lines = 1;     // number of lines of the scene's means
 };
 LineExtent lineExtent(const Scene& scene);
+
+/// Returns pointsPerElement with the size of the line, which is read from the surface's file only
+/// if the number depends on it.
+std::int64_t linePoints(const Scene& scene);
+
+/// Returns provenance() with that number. It stays null where the file cannot be read.
+nlohmann::ordered_json lineProvenance(const std::string& verb, const Scene& scene);
 
 /// Returns the first `rows` rows of the profile of a scene.
 Profile readProfileStart(const Scene& scene, std::int64_t rows);

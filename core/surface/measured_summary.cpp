@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/base/fourier.h"
 #include "core/base/number_text.h"
 
 namespace asperity {
@@ -21,7 +22,8 @@ std::vector<double> withoutGaps(std::vector<double> heights) {
 
 }  // namespace
 
-MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
+MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source,
+                                SummarySpectra spectra) {
   const MeasuredLines& lines = *source.measured();
   const Topography& topography = lines.file().topography;
   const ProcessingChoices& processing = scene.surface.processing;
@@ -39,8 +41,11 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.longWaveCut = processing.longWaveCut;
   summary.raw = profileParameters(profile.raw, profile.spacing);
   summary.used = profileParameters(profile.used, profile.spacing, processing.longWaveCut);
-  summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
-  summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
+  const RealTransform shared(profile.raw.size());  // keeps the plan of a long profile
+  if (spectra == SummarySpectra::Computed) {
+    summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
+    summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
+  }
   const SpectrumLimits limits = lines.spectrumLimits(profile);
   summary.steps = limits.steps;
   summary.isFlat = summary.raw.pt == 0;

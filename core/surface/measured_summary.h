@@ -39,8 +39,12 @@ struct MeasuredSummary {
   bool isRoughness() const { return longWaveCut > 0; }
 };
 
+/// Whether a summary has both spectra, which only pictures and JSON show.
+enum class SummarySpectra { Computed, Omitted };
+
 /// Makes the summary. source: has the scene's lines, which are those of a measured surface.
-MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source);
+MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source,
+                                SummarySpectra spectra = SummarySpectra::Computed);
 
 /// Returns a sentence on the spikes of all rows, and on what removes them.
 Message spikesFact(std::int64_t spikes);

@@ -44,8 +44,12 @@ struct Buffers {
   Buffer<double> values;
 };
 
-Buffers& buffersFor(std::size_t nodes) {
-  thread_local Buffers buffers;
+/// Returns the memory of the thread; for very long lines `own`, because a process makes few of them
+/// and their memory is better free than kept.
+Buffers& buffersFor(std::size_t nodes, Buffers& own) {
+  constexpr std::size_t kMostKept = std::size_t{1} << 22;
+  thread_local Buffers kept;
+  Buffers& buffers = nodes > kMostKept ? own : kept;
   buffers.modes.reserve(nodes / 2 + 1);
   buffers.values.reserve(nodes);
   return buffers;
@@ -120,7 +124,8 @@ template <class Factor>
 bool FourierTransform::transform(const FourierLine& line, std::vector<double>& target,
                                  const Factor& factor, const std::stop_token& stop) const {
   const std::size_t count = plans_->points(), filled = line.coefficients.size();
-  const Buffers& buffers = buffersFor(count);
+  Buffers own;
+  const Buffers& buffers = buffersFor(count, own);
   Complex* modes = buffers.modes.values;
   modes[0] = 0;
   for (std::size_t k = 1; k <= filled; ++k) modes[k] = line.coefficients[k - 1] * factor(k);
@@ -134,11 +139,13 @@ bool FourierTransform::transform(const FourierLine& line, std::vector<double>& t
 
 FourierLine FourierTransform::analyse(std::span<const double> height, double length) const {
   const std::size_t count = plans_->points();
-  const Buffers& buffers = buffersFor(count);
+  Buffers own;
+  const Buffers& buffers = buffersFor(count, own);
   const Complex* modes = buffers.modes.values;
   std::copy_n(height.begin(), count, buffers.values.values);
   plans_->forward(buffers.values.values, buffers.modes.values);
   FourierLine line{length, {}};
+  line.coefficients.reserve(modeCount(count));
   for (std::size_t k = 1; k <= modeCount(count); ++k)
     line.coefficients.push_back(modes[k] / static_cast<double>(count));
   return line;

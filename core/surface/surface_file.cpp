@@ -116,7 +116,8 @@ std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile) {
 std::string lineCsv(const Line& line) {
   std::string text = tableCsv({columnNames({"position", "height"}), {}});
   for (std::size_t i = 0; i < line.nodes(); ++i)
-    text += fmt::format("{},{}\n", static_cast<double>(i) * line.spacing, line.height[i]);
+    fmt::format_to(std::back_inserter(text), "{},{}\n", static_cast<double>(i) * line.spacing,
+                   line.height[i]);
   return text;
 }
 
@@ -128,7 +129,7 @@ DataTable spectrumTable(const LineSource& source) {
   return table;
 }
 
-DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line) {
+DataTable statisticsTable(const Line& line, const MeasuredSummary* measured) {
   const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
   DataTable table{columnNames({"quantity", "unit", "value", "raw"}), {}};
   const auto add = [&](const char* name, const char* unit, TableCell value) {
@@ -141,8 +142,8 @@ DataTable statisticsTable(const Scene& scene, const LineSource& source, const Li
   add("rms_slope", "", line.rmsSlope);
   add("lowest", "m", *lowest);
   add("highest", "m", *highest);
-  if (source.measured())
-    for (const NamedValue& value : namedValues(measuredSummary(scene, source)))
+  if (measured)
+    for (const NamedValue& value : namedValues(*measured))
       table.rows.push_back({value.name, value.unit, value.used, value.raw});
   return table;
 }
@@ -151,7 +152,8 @@ void addReadingFacts(nlohmann::ordered_json& answer, const std::vector<Message>&
   for (const Message& fact : facts) answer["reading"]["facts"].push_back(fact.english());
 }
 
-std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line) {
+std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line,
+                        const MeasuredSummary* measured) {
   const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
   Json root = provenance("surface", scene);
   root["statistics"] = {{"length", line.length},      {"points", line.nodes()},
@@ -160,7 +162,7 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
                         {"highest", *highest}};
   const SpectralDensity spectrum = lineSpectrum(source.spectrum(0));
   root["spectrum"] = spectrum.empty() ? Json(nullptr) : spectrumJson(spectrum);
-  if (source.measured()) addMeasured(root, measuredSummary(scene, source));
+  if (measured) addMeasured(root, *measured);
   addReadingFacts(root, source.spectrumFacts());
   return jsonFile(root);
 }

@@ -15,6 +15,7 @@
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
 #include "core/surface/line_source.h"
+#include "core/surface/measured_summary.h"
 
 namespace asperity {
 
@@ -50,15 +51,17 @@ std::string lineCsv(const Line& line);
 DataTable spectrumTable(const LineSource& source);
 
 /// Returns "quantity", "unit", "value", "raw": the statistics of the line, then the parameters of
-/// ISO 21920-2 of a measured surface before and after processing.
-DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line);
+/// ISO 21920-2 of a measured surface before and after processing. measured: null for other lines.
+DataTable statisticsTable(const Line& line, const MeasuredSummary* measured);
 
 /// Adds how the scene's file was read (readingFacts) to an answer in JSON, as `reading.facts`.
 /// Nothing is added where there are no facts.
 void addReadingFacts(nlohmann::ordered_json& answer, const std::vector<Message>& facts);
 
 /// Returns the statistics (Rq of ISO is rms_height, Rdq is rms_slope) and the power spectral
-/// density C(q) (m^3) over q (1/m) for lines that have modes.
-std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line);
+/// density C(q) (m^3) over q (1/m) for lines that have modes. measured: with its spectra; null for
+/// other lines.
+std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line,
+                        const MeasuredSummary* measured);
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text_number.h"
 #include "core/scene/provenance.h"
+#include "core/surface/line_source.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 
@@ -62,7 +63,7 @@ void nameLanguage(nlohmann::ordered_json& origin) {
 }
 
 std::string pictureOrigin(const std::string& verb, const Scene& scene) {
-  nlohmann::ordered_json origin = provenance(verb, scene);
+  nlohmann::ordered_json origin = lineProvenance(verb, scene);
   nameLanguage(origin);
   return provenanceLine(origin);
 }

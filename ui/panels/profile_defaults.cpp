@@ -35,8 +35,11 @@ bool hasContent(const Parameter& parameter, TextContent content) {
 }
 
 /// Returns the oversampling for one line and, if it differs, for the curve.
-Placeholder chosenOversampling(const Scene& scene) {
-  const std::int64_t line = pointsPerElement(scene), curve = curvePointsPerElement(scene);
+Placeholder chosenOversampling(const Scene& scene, const LineSize& known) {
+  const Surface& surface = scene.surface;
+  const LineSize size{surface.length > 0 ? surface.length : known.length,
+                      surface.elements > 0 ? surface.elements : known.elements};
+  const std::int64_t line = pointsPerElement(scene, size), curve = curvePointsPerElement(scene);
   return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
                         : ParameterPanel::tr("%1 (curve: %2)").arg(line).arg(curve),
           static_cast<double>(line), false};
@@ -80,7 +83,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
   if (!meaning.isEmpty()) return Placeholder{meaning, 0, false};
   if (parameter.zero == ZeroMeaning::EveryRow)
     return Placeholder{ParameterPanel::tr("every row"), {}, false};
-  if (isChosenWhereOpen(parameter)) return chosenOversampling(scene);
+  if (isChosenWhereOpen(parameter)) return chosenOversampling(scene, known);
   return fromFile(parameter,
                   isWholeNumber(parameter) ? static_cast<double>(known.elements) : known.length);
 }

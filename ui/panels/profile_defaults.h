@@ -12,14 +12,6 @@
 
 namespace asperity {
 
-/// Length and elements of the present period; 0 where unknown.
-struct LineSize {
-  double length = 0;  // m
-  std::int64_t elements = 0;
-
-  bool operator==(const LineSize&) const = default;
-};
-
 /// A text shown instead of a value of the scene.
 struct Placeholder {
   QString text;                 // shown in pale letters
@@ -28,6 +20,7 @@ struct Placeholder {
   QString unit{};               // of the text; empty: that of the parameter
 };
 
+/// known: length and elements of the present period.
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
                                           const LineSize& known);
 

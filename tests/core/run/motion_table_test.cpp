@@ -10,8 +10,12 @@
 #include <set>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
 #include "core/base/input_error.h"
+
 #include "core/scene/columns.h"
+#include "core/surface/line_source.h"
+#include "core/surface/surface_file.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -377,6 +381,42 @@ TEST(MotionTable, TheLinesOfATargetAreDifferentRows) {
   for (const std::vector<TransientSample>& line : marchMotion(scene, options).lines)
     depths.insert(line.back().indentation);
   EXPECT_EQ(depths.size(), 4U);
+}
+
+/// A line written to a file and read as a profile or as a measured surface is as accurate as the
+/// line itself, and the provenance says with how many points.
+TEST(MotionTable, ALineFromAFileHasThePointsOfTheLineItself) {
+  Scene scene = someMotion(SlidingKind::Start);
+  scene.surface = {};
+  scene.surface.elements = 100;
+  scene.surface.length = 1e-3;
+  scene.accuracy = {};
+  scene.sliding.velocity = 0.01;
+  scene.sliding.duration = 0.02;
+  const TemporaryFolder folder;
+  folder.write("line.csv", lineCsv(LineSource(scene, 1).make(0)));
+  Scene fromFile = scene;
+  fromFile.folder = folder.path();
+  fromFile.surface = {};
+  fromFile.surface.kind = SurfaceKind::Profile;
+  fromFile.surface.file = "line.csv";
+  fromFile.surface.length = 0;
+  fromFile.surface.elements = 0;
+  Scene measured = fromFile;
+  measured.surface.kind = SurfaceKind::Measured;
+  measured.surface.processing.form = FormRemoval::None;
+  measured.surface.processing.seam = Seam::Periodic;
+  measured.surface.contactSide = ContactSide::Valleys;
+  measured.ensemble.realizations = 0;
+  const MotionTable own = marchMotion(scene, {});
+  EXPECT_EQ(linePoints(scene), 32);
+  for (const Scene& other : {fromFile, measured}) {
+    EXPECT_EQ(linePoints(other), 32);
+    const MotionTable table = marchMotion(other, {});
+    EXPECT_EQ(motionProvenance("motion", other, table)["oversampling_used"], 32);
+    ASSERT_EQ(table.lines[0].size(), own.lines[0].size());
+    EXPECT_NEAR(table.lines[0].back().mu, own.lines[0].back().mu, 1e-6 * own.lines[0].back().mu);
+  }
 }
 
 TEST(MotionTable, RefusesWhatItCannotDo) {

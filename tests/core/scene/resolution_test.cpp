@@ -78,8 +78,47 @@ TEST(Resolution, ASmallMotionHasMorePoints) {
   scene.accuracy.oversampling = 2;
   EXPECT_EQ(pointsPerElement(scene), 2);
   scene.accuracy.oversampling = 0;
-  scene.surface.elements = 0;  // as many as the file has
-  EXPECT_EQ(pointsPerElement(scene), 4);
+}
+
+/// The target is that of a curve: asking for it never makes a motion coarser.
+TEST(Resolution, ATargetGivesAMotionNoFewerPoints) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Start;
+  scene.sliding.velocity = 1e-3;
+  scene.sliding.duration = 0.1;
+  for (const std::int64_t elements : {200, 1000, 1000000}) {
+    scene.surface.elements = elements;
+    scene.accuracy.targetRelativeError = 0;
+    const std::int64_t points = pointsPerElement(scene);
+    scene.accuracy.targetRelativeError = 0.05;
+    EXPECT_EQ(pointsPerElement(scene), points);
+    scene.accuracy.targetRelativeError = 5e-3;
+    EXPECT_EQ(pointsPerElement(scene), std::max<std::int64_t>(points, 8));
+  }
+}
+
+/// The size of a line that comes from a file counts as one that the scene states.
+TEST(Resolution, AMotionOverALineFromAFileFollowsTheSizeOfTheLine) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Start;
+  scene.sliding.duration = 0.1;
+  for (const std::int64_t elements : {200, 1000, 3000, 1000000}) {
+    scene.surface.elements = elements;
+    const std::int64_t stated = pointsPerElement(scene);
+    Scene open = scene;
+    open.surface.kind = SurfaceKind::Measured;
+    open.surface.elements = 0;
+    EXPECT_TRUE(needsSizeOfFile(open));
+    EXPECT_EQ(pointsPerElement(open), 4);
+    EXPECT_EQ(pointsPerElement(open, {scene.surface.length, elements}), stated);
+    EXPECT_TRUE(provenance("motion", open)["oversampling_used"].is_null());
+    open.accuracy.oversampling = 6;
+    EXPECT_FALSE(needsSizeOfFile(open));
+    EXPECT_EQ(provenance("motion", open)["oversampling_used"], 6);
+    open.accuracy.oversampling = 0;
+    open.sliding.kind = SlidingKind::Steady;
+    EXPECT_FALSE(needsSizeOfFile(open));
+  }
 }
 
 TEST(Resolution, OtherSchemesHaveTheirOwn) {

@@ -17,8 +17,7 @@ namespace asperity {
 namespace {
 
 LineSize lineSize(const Frame& frame) {
-  return {frame.length,
-          static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
+  return {frame.length, frame.elements};
 }
 
 }  // namespace
