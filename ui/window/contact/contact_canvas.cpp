@@ -1,6 +1,7 @@
 #include "ui/window/contact/contact_canvas.h"
 
 #include <QContextMenuEvent>
+#include <QFontInfo>
 #include <QGestureEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -179,6 +180,9 @@ PictureRequest ContactCanvas::request() const {
   request.textScale = textScale_;
   request.scale = devicePixelRatioF();
   request.size = size() * request.scale;
+  // In a presentation the numbers have the letters of the chart, however low the picture is.
+  if (textScale_ > 1)
+    request.options.fontSize = static_cast<float>(QFontInfo(font()).pixelSize() * request.scale);
   return request;
 }
 
