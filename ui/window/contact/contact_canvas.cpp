@@ -170,6 +170,11 @@ void ContactCanvas::refresh() {
   if (backend_) backend_->show(viewer_.frame() ? request() : PictureRequest());
 }
 
+float ContactCanvas::fontSize() const {
+  return textScale_ > 1 ? static_cast<float>(QFontInfo(font()).pixelSize() * devicePixelRatioF())
+                        : 0;
+}
+
 /// Returns a request for the picture on the screen; the backend fills this widget.
 PictureRequest ContactCanvas::request() const {
   PictureRequest request;
@@ -180,9 +185,7 @@ PictureRequest ContactCanvas::request() const {
   request.textScale = textScale_;
   request.scale = devicePixelRatioF();
   request.size = size() * request.scale;
-  // In a presentation the numbers have the letters of the chart, however low the picture is.
-  if (textScale_ > 1)
-    request.options.fontSize = static_cast<float>(QFontInfo(font()).pixelSize() * request.scale);
+  request.options.fontSize = fontSize();
   return request;
 }
 

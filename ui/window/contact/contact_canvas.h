@@ -52,6 +52,9 @@ class ContactCanvas : public QWidget {
   /// Sets a factor for texts and lines, for an audience.
   void setTextScale(double scale);
   double textScale() const { return textScale_; }
+  /// Returns the height of the numbers in device pixels where texts are scaled: that of the font,
+  /// as in the chart, however low the picture is. 0 otherwise: it follows the size of the picture.
+  float fontSize() const;
 
   /// Covers the picture with a translucent veil that shows the reason; empty: no veil.
   void setVeil(const QString& reason);

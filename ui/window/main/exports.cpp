@@ -132,6 +132,7 @@ std::optional<ContactShot> Exports::shot() const {
   shot.options.width = size.width();
   shot.options.height = size.height();
   shot.options.scale = static_cast<float>(canvas.devicePixelRatioF() * canvas.textScale());
+  shot.options.fontSize = canvas.fontSize();
   shot.options.theme = parts_.appearance.theme();
   return shot;
 }

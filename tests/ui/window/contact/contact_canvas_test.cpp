@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QFontInfo>
 #include <QImage>
 #include <QLabel>
 #include <QNativeGestureEvent>
@@ -47,7 +48,8 @@ TEST_F(ContactCanvasTest, TheTextOfTheVeilStandsOnAPlate) {
   }
 }
 
-/// With large texts the plot is elsewhere, and the cursor with it.
+/// With large texts the plot is elsewhere, and the cursor with it. The numbers have the letters of
+/// the font, as those of the chart.
 TEST_F(ContactCanvasTest, CursorMeetsThePlotAtAnyTextSize) {
   canvas_.setTextScale(1.6);
   QTest::mouseMove(&canvas_, place(0.25, 0.5).toPoint());
@@ -58,6 +60,7 @@ TEST_F(ContactCanvasTest, CursorMeetsThePlotAtAnyTextSize) {
   options.width = canvas_.width();
   options.height = canvas_.height();
   options.scale = 1.6F;
+  options.fontSize = static_cast<float>(QFontInfo(canvas_.font()).pixelSize());
   EXPECT_EQ(contactPlotArea(*canvas_.frame(), options).x, canvas_.plotArea().x());
 }
 
