@@ -45,6 +45,12 @@ MatrixXd normalInverse(const MatrixXd& matrix) {
       .solve(MatrixXd::Identity(matrix.cols(), matrix.cols()));
 }
 
+MatrixXd inverseOfPositive(const MatrixXd& symmetric) {
+  const Eigen::LLT<MatrixXd> factor(symmetric);
+  if (factor.info() != Eigen::Success) return {};
+  return factor.solve(MatrixXd::Identity(symmetric.rows(), symmetric.cols()));
+}
+
 MatrixXd triangularFactor(const MatrixXd& matrix) {
   const Eigen::Index size = std::min(matrix.rows(), matrix.cols());
   return matrix.householderQr().matrixQR().topRows(size).triangularView<Eigen::Upper>();

@@ -41,6 +41,10 @@ Eigen::MatrixXd pseudoInverse(const Eigen::MatrixXd& matrix);
 /// Returns (M^T M)^-1, the covariance of fitted unknowns where every value has the variance 1.
 Eigen::MatrixXd normalInverse(const Eigen::MatrixXd& matrix);
 
+/// Returns the inverse of a symmetric positive definite matrix, by its Cholesky factor; empty
+/// where it is not positive definite.
+Eigen::MatrixXd inverseOfPositive(const Eigen::MatrixXd& symmetric);
+
 /// Returns the upper triangular factor R of M = Q R, with as many rows as M has rows or columns,
 /// whichever are fewer.
 Eigen::MatrixXd triangularFactor(const Eigen::MatrixXd& matrix);

@@ -139,16 +139,6 @@ constexpr int kComparisons = 33;        // frequencies at which two isotherms ar
 constexpr double kOpenVertical = 0.02;  // decades, error beyond which a vertical shift is open
 constexpr double kWrongWay = 0.3;       // decades against the order of temperatures
 
-LogSweep logarithms(const Isotherm& isotherm) {
-  LogSweep sweep;
-  for (const DynamicModulus& point : isotherm.points) {
-    sweep.x.push_back(std::log10(point.frequency));
-    sweep.storage.push_back(std::log10(point.storage));
-    sweep.loss.push_back(std::log10(point.loss));
-  }
-  return sweep;
-}
-
 /// Interpolates linearly between the points; x lies within them.
 double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const auto above = std::ranges::lower_bound(xs, x);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
+#include "core/material/joint_fit.h"
 #include "core/material/temperature_shift.h"
 
 namespace asperity {
@@ -36,6 +38,20 @@ class Accumulated {
       sums[i] = {value, std::sqrt(variance)};
     }
     return sums;
+  }
+
+  /// Returns the weights of the isotherms whose mean is the reference.
+  std::vector<double> weights() const {
+    std::vector<double> all(isotherms_.size(), 0);
+    for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+      const double low = isotherms_[k].temperature, high = isotherms_[k + 1].temperature;
+      if (reference_ < low || reference_ > high) continue;
+      const double part = (reference_ - low) / (high - low);
+      all[k] = 1 - part;
+      all[k + 1] = part;
+      break;
+    }
+    return all;
   }
 
  private:
@@ -70,6 +86,73 @@ void moveReference(std::span<const Isotherm> isotherms, double reference,
       estimate.value -= law->offset;
       estimate.standardError = std::hypot(estimate.standardError, law->rms);
     }
+}
+
+/// Returns the shifts without lone jumps: a step that differs much from those beside it, per
+/// kelvin, becomes their median. Moduli that ripple along a plateau also agree one ripple further
+/// on.
+std::vector<double> withoutJumps(std::span<const Isotherm> isotherms,
+                                 const std::vector<double>& shifts) {
+  constexpr double kJump = 0.5;  // decades
+  constexpr std::ptrdiff_t kBeside = 3;
+  std::vector<double> rates, smooth(shifts);
+  const auto width = [&](std::size_t i) {
+    return isotherms[i + 1].temperature - isotherms[i].temperature;
+  };
+  for (std::size_t i = 0; i + 1 < shifts.size(); ++i)
+    rates.push_back((shifts[i + 1] - shifts[i]) / width(i));
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    const auto from = rates.begin() + std::max<std::ptrdiff_t>(0, at - kBeside);
+    const auto to = rates.begin() + std::min<std::ptrdiff_t>(std::ssize(rates), at + kBeside + 1);
+    const double usual = median({from, to});
+    const bool isJump = std::abs(rates[i] - usual) * width(i) > kJump;
+    smooth[i + 1] = smooth[i] + (isJump ? usual : rates[i]) * width(i);
+  }
+  return smooth;
+}
+
+/// Fits all isotherms together, also from a start without lone jumps. Of two fits that explain the
+/// moduli as well, the one in which neighbours overlap more is right.
+JointShifts fittedTogether(std::span<const Isotherm> isotherms, const std::vector<double>& start,
+                           const std::vector<double>& weights, const std::stop_token& stop) {
+  constexpr double kAsWell = 1.2;
+  const std::vector<LogSweep> sweeps = logarithms(isotherms);
+  const JointShifts plain = jointShifts(sweeps, start, weights, ShiftModuli::Both, stop);
+  const std::vector<double> smooth = withoutJumps(isotherms, start);
+  if (smooth == start) return plain;
+  const JointShifts other = jointShifts(sweeps, smooth, weights, ShiftModuli::Both, stop);
+  const bool isBetter =
+      plain.shifts.empty() || (!other.shifts.empty() && other.noise < kAsWell * plain.noise);
+  return isBetter ? other : plain;
+}
+
+/// Replaces the sums of the shifts of neighbours by the shifts of a joint fit of all isotherms
+/// where these differ by more than the stated errors. Then the polynomials of neighbours do not
+/// follow the moduli between the points, with an error of one sign at every step.
+void refine(std::span<const Isotherm> isotherms, const std::vector<double>& weights,
+            std::vector<Estimate>& both, std::vector<Estimate>& storage,
+            std::vector<Estimate>& loss, const std::stop_token& stop) {
+  constexpr double kClear = 2;  // standard errors
+  if (isotherms.size() < 3) return;
+  std::vector<double> start;
+  for (const Estimate& shift : both) start.push_back(shift.value);
+  const std::vector<Estimate> joint = fittedTogether(isotherms, start, weights, stop).shifts;
+  bool isClear = false;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    const double error = both[i].standardError;
+    isClear = isClear ||
+              (std::isfinite(error) && std::abs(joint[i].value - both[i].value) > kClear * error);
+  }
+  if (!isClear) return;
+  both = joint;
+  for (std::size_t i = 0; i < joint.size(); ++i) start[i] = joint[i].value;
+  const std::vector<LogSweep> sweeps = logarithms(isotherms);
+  for (const auto& [moduli, alone] :
+       {std::pair(ShiftModuli::Storage, &storage), std::pair(ShiftModuli::Loss, &loss)}) {
+    const JointShifts fitted = jointShifts(sweeps, start, weights, moduli, stop);
+    if (!fitted.shifts.empty()) *alone = fitted.shifts;
+  }
 }
 
 void addPoints(std::span<const Isotherm> isotherms, MasterCurve& curve) {
@@ -169,8 +252,12 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   const Accumulated sums(isotherms, referenceTemperature);
   auto horizontal = sums.from(both), ofStorage = sums.from(storage), ofLoss = sums.from(loss);
   const auto up = sums.from(vertical);
-  moveReference(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
   const auto changes = sums.from(considerVertical(misfit, steps, curve.vertical));
+  compareModuli(noise, sums, steps, curve);
+  // A joint fit needs one curve.
+  if (!isVertical && curve.isThermorheologicallySimple && !curve.vertical.isSignificant)
+    refine(isotherms, sums.weights(), horizontal, ofStorage, ofLoss, stop);
+  moveReference(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
   // A material that is not entropic differs from b_T ~ T by the same at every step.
   const auto assumed = sums.from(ofEntropy);
   for (std::size_t i = 0; i < isotherms.size(); ++i) {
@@ -182,7 +269,6 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
                             ofStorage[i].value, ofLoss[i].value});
   }
   addPoints(isotherms, curve);
-  compareModuli(noise, sums, steps, curve);
   return curve;
 }
 

@@ -1,6 +1,8 @@
 // Shifts isotherms to a master curve by time-temperature superposition (Ferry, Viscoelastic
 // Properties of Polymers, ch. 11). Neighbouring isotherms are moved along the logarithm of
 // frequency until they agree where they overlap; the shifts add up from the reference temperature.
+// Where the curve bends between the points of a sweep, all isotherms are fitted together
+// (joint_fit.h).
 //
 // The reduced frequency is f a_T, the reduced modulus G / b_T: a_T > 1 where the material is slower
 // than at the reference temperature. Pure functions; any thread; equal input gives equal bits.

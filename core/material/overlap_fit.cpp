@@ -397,6 +397,22 @@ class WindowFit {
 
 }  // namespace
 
+LogSweep logarithms(const Isotherm& isotherm) {
+  LogSweep sweep;
+  for (const DynamicModulus& point : isotherm.points) {
+    sweep.x.push_back(std::log10(point.frequency));
+    sweep.storage.push_back(std::log10(point.storage));
+    sweep.loss.push_back(std::log10(point.loss));
+  }
+  return sweep;
+}
+
+std::vector<LogSweep> logarithms(std::span<const Isotherm> isotherms) {
+  std::vector<LogSweep> sweeps;
+  for (const Isotherm& isotherm : isotherms) sweeps.push_back(logarithms(isotherm));
+  return sweeps;
+}
+
 CommonRange commonRange(const LogSweep& colder, const LogSweep& warmer, double shift) {
   return {std::max(colder.x.front() + shift, warmer.x.front()),
           std::min(colder.x.back() + shift, warmer.x.back())};

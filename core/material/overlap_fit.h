@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/material/isotherm_overlap.h"
@@ -13,6 +14,9 @@ namespace asperity {
 struct LogSweep {
   std::vector<double> x, storage, loss;
 };
+
+LogSweep logarithms(const Isotherm& isotherm);
+std::vector<LogSweep> logarithms(std::span<const Isotherm> isotherms);
 
 /// The common range of two isotherms after the colder one has been moved, on the axis of the warmer
 /// one.
