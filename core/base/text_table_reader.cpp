@@ -398,6 +398,10 @@ class TableReader {
   /// Returns whether the fields can be the first row of a block.
   bool startsBlock(const TextLine& line) {
     if (row_.count(FieldKind::Number) == 0) return false;
+    // "Missing data 12" states a number.
+    const bool isOfWords = row_.is(0, FieldKind::Missing) && !table_.dialect.isExact() &&
+                           row_.fields[0].find_first_of(" \t") != std::string_view::npos;
+    if (isOfWords && row_.count(FieldKind::Number) == 1) return false;
     if (row_.count(FieldKind::Text) == 0 && row_.cells.empty()) return true;
     // "Load; 30 N" states something of the rows below.
     const std::size_t fewestCells = options_.keepsTexts ? 2 : 1;

@@ -160,6 +160,15 @@ TEST(MissingWords, AreGapsWhereBlanksSeparateTheNumbers) {
   }
 }
 
+TEST(MissingWords, AboveTheNumbersAreNoRow) {
+  const MeasuredFile file = read("X_um Z_um\nMissing data 12\n" + linesOf([](int i) {
+                                   return fmt::format("{} {:.4f}", 2 * i, micrometresAt(i));
+                                 }));
+  EXPECT_EQ(file.topography.columns, kRowCount);
+  EXPECT_EQ(file.facts.gaps, 0);
+  EXPECT_FALSE(says(file, "left out"));
+}
+
 /// Words that are not known leave no part of a table out.
 TEST(MissingWords, ThatAreNotKnownAreRefused) {
   for (const std::string words : {"no echo", "bad echo", "laser dropout", "no echo here"}) {
