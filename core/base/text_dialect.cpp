@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <functional>
@@ -365,9 +366,38 @@ void splitFields(std::string_view line, Separator separator,
   }
 }
 
+void joinMissing(std::vector<std::string_view>& fields) {
+  constexpr std::size_t kMostWords = 3;
+  const auto isWord = [](std::string_view field) {
+    const auto first = static_cast<unsigned char>(field.front());
+    return std::isalpha(first) != 0 || first > 0x7F;
+  };
+  std::size_t count = 0;  // of the fields that are left
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    std::string_view field = fields[i];
+    for (std::size_t last = i + 1; last < std::min(i + kMostWords, fields.size()) &&
+                                   isWord(fields[i]) && isWord(fields[last]);
+         ++last) {
+      const char* const begin = fields[i].data();
+      const char* const end = fields[last].data() + fields[last].size();
+      const std::string_view words(begin, static_cast<std::size_t>(end - begin));
+      if (readField(words, '.').kind != FieldKind::Missing) continue;
+      field = words;
+      i = last;
+      break;
+    }
+    fields[count++] = field;
+  }
+  fields.resize(count);
+}
+
 void splitRow(std::string_view line, const TextDialect& dialect,
               std::vector<std::string_view>& fields) {
-  splitFields(line, dialect.separator, fields);
+  const auto split = [&](std::string_view part) {
+    splitFields(part, dialect.separator, fields);
+    if (!dialect.isExact()) joinMissing(fields);
+  };
+  split(line);
   const auto hasTexts = [&] {
     return std::ranges::any_of(fields, [&](std::string_view field) {
       return readField(field, dialect.decimal).kind == FieldKind::Text;
@@ -377,8 +407,8 @@ void splitRow(std::string_view line, const TextDialect& dialect,
   for (const std::string_view one : {" #", "\t#", " //", "\t//"})
     mark = std::min(mark, line.find(one));
   if (mark >= line.size() || !hasTexts()) return;
-  splitFields(line.substr(0, mark), dialect.separator, fields);
-  if (hasTexts()) splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
+  split(line.substr(0, mark));
+  if (hasTexts()) split(line);  // a label such as "tread #2"
 }
 
 TextDialect detectDialect(std::string_view text, bool readsCells) {

@@ -181,6 +181,8 @@ constexpr std::string_view kNotWritten = " ";
 Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
                bool mayCountRows) {
   const std::string_view text = withoutCommentMark(line, dialect);
+  // "Speed 0.25 mm/s" above one column is a statement, and "Profile 1 (um)" a name.
+  if (columns == 1 && statesQuantity(text) && text.find_first_of("([{") == text.npos) return {};
   if (Fields fields = fieldsOfUnits(text, columns); areNames(fields, dialect)) return fields;
   // A separator in front makes an unnamed column, also a tab where blanks separate; so does one at
   // the end.

@@ -23,7 +23,16 @@ constexpr WordList kMissing(
     "n/a, null, none, nil, missing, bad, void, undef, undefined, n.d., n.a., nd, ?, ., \u2013, "
     "\u2014, ol, overflow, over, +over, -over, overrange, over range, out of range, overload, "
     "underflow, underrange, ovfl, ovld, \u00DCberlauf, "
-    "masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, "
+    "masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, not measured, not "
+    "available, "
+    "not valid, not a number, no signal, no reading, no measurement, no reflection, no return, no "
+    "result, missing value, missing data, missing point, invalid data, invalid value, invalid "
+    "point, "
+    "bad data, bad value, bad point, bad pixel, data missing, value missing, kein wert, keine "
+    "daten, "
+    "kein messwert, kein signal, nicht gemessen, nicht messbar, fehlender wert, pas de "
+    "donn\u00E9es, "
+    "pas de valeur, sin datos, sin valor, nessun dato, sem dados, "
     "error, err, #error, empty, out, saturated, clipped, outlier",
     ',');
 
@@ -40,9 +49,11 @@ bool isMissing(std::string_view text) {
       text.find_first_not_of("*") == std::string_view::npos ||
       text.find_first_not_of("#") == std::string_view::npos)
     return true;
-  constexpr std::size_t kLongest = 12;
+  constexpr std::size_t kLongest = 16;
   if (text.size() > kLongest) return false;
-  const std::string word = lowerCase(text);
+  std::string word = lowerCase(text);
+  std::ranges::replace(word, '\t', ' ');
+  while (word.find("  ") != word.npos) replaceAll(word, "  ", " ");
   const auto isWord = [&word](std::string_view error) { return lowerCase(error) == word; };
   return isOneOf(word, kMissing) ||
          (word.starts_with('#') && std::ranges::any_of(kSpreadsheetErrors, isWord));

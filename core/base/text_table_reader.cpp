@@ -273,6 +273,48 @@ class TableReader {
       if (row_.is(i, FieldKind::Text) && !columns[i].isText)
         fail(message("line {}: '{}' in column {} is not a number", line.number,
                      shortened(trimmedField(row_.fields[i])), i + 1));
+    if (isWide && !options_.keepsTexts) refuseWords(line);
+  }
+
+  /// Throws InputError for a line that has words in the place of a number, and so more fields than
+  /// the rows: "0.5 no echo". Words behind all numbers of a row are none of these.
+  void refuseWords(const TextLine& line) const {
+    const TextRow row = rows_.read(line.text);
+    std::size_t first = 0;
+    while (row.is(first, FieldKind::Number)) ++first;
+    std::size_t last = first;
+    while (!table_.dialect.isExact() && last + 1 < row.size() &&
+           !row.is(last + 1, FieldKind::Number))
+      ++last;
+    if (first >= block().columns.size()) return;
+    const char* const begin = row.fields[first].data();
+    const char* const end = row.fields[last].data() + row.fields[last].size();
+    fail(message("line {}: '{}' in column {} is not a number", line.number,
+                 shortened(std::string_view(begin, static_cast<std::size_t>(end - begin))),
+                 first + 1));
+  }
+
+  /// Throws InputError where damaged rows alone separate the open block from a row with as many
+  /// columns: the numbers are of one table, of which neither part may be left out.
+  void refuseBrokenTable(const TextLine& next) const {
+    if (options_.keepsTexts || above_.empty() || row_.size() != block().columns.size() ||
+        row_.size() < 2)
+      return;
+    std::size_t number = block().lines.back();
+    for (const TextLine& line : above_) {
+      const TextRow row = rows_.read(line.text);
+      const bool isNumbered = row.count(FieldKind::Number) > 0 && row.size() >= row_.size() &&
+                              keyEnd(line.text) == std::string_view::npos;
+      if (line.number != ++number || !isNumbered || isComment(line.text) || isNextHeading(line) ||
+          !(isLikeNumber(row.fields.front()) || row.count(FieldKind::Number) + 1 >= row_.size()))
+        return;
+    }
+    if (next.number != number + 1) return;
+    const TextLine& line = above_.front();
+    const TextRow row = rows_.read(line.text);
+    if (row.count(FieldKind::Text) > 0) refuseWords(line);
+    fail(message("line {}: has {} fields where the lines before have {}", line.number, row.size(),
+                 row_.size()));
   }
 
   /// Turns a column without plain numbers so far into one of texts.
@@ -356,6 +398,10 @@ class TableReader {
   /// Returns whether the fields can be the first row of a block.
   bool startsBlock(const TextLine& line) {
     if (row_.count(FieldKind::Number) == 0) return false;
+    // "Missing data 12" states a number.
+    const bool isOfWords = row_.is(0, FieldKind::Missing) && !table_.dialect.isExact() &&
+                           row_.fields[0].find_first_of(" \t") != std::string_view::npos;
+    if (isOfWords && row_.count(FieldKind::Number) == 1) return false;
     if (row_.count(FieldKind::Text) == 0 && row_.cells.empty()) return true;
     // "Load; 30 N" states something of the rows below.
     const std::size_t fewestCells = options_.keepsTexts ? 2 : 1;
@@ -444,6 +490,7 @@ class TableReader {
       row_.removeLast();
     }
     if (isOpen_) {
+      refuseBrokenTable(line);
       leaveOutBelow();
       endBlock();
     }

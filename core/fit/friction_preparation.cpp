@@ -159,7 +159,9 @@ void keepLabels(TextBlock& block) {
 /// A temperature, load or velocity in the name of a column, and the column without it.
 struct NamedState {
   FrictionQuantity quantity = FrictionQuantity::Temperature;
-  double value = 0;  // SI
+  double value = 0;   // SI
+  double number = 0;  // as written
+  std::string unit{};
   TextColumn column{};
   std::optional<FrictionQuantity> meaning{};  // of that column
 };
@@ -180,7 +182,8 @@ std::optional<NamedState> stateOf(const TextColumn& column) {
     const auto state = parseQuantity(withoutEnd(std::string_view(text).substr(number), ")] "));
     const auto quantity = state ? stateOfUnit(state->unit) : std::nullopt;
     if (!quantity) continue;
-    NamedState found{*quantity, unitOfQuantity(state->unit, *quantity)->toSi(state->number)};
+    NamedState found{*quantity, unitOfQuantity(state->unit, *quantity)->toSi(state->number),
+                     state->number, state->unit};
     std::string_view name = withoutEnd(std::string_view(text).substr(0, number), " ([@_,=T");
     for (const std::string_view word : WordList(" at, bei", ','))
       if (name.ends_with(word) && name.size() > word.size() + 1)
@@ -412,12 +415,16 @@ void stackStates(TextBlock& block) {
     stacked.columns.push_back(named[i] ? named[i]->column : block.columns[i]);
   // The velocities of one load or temperature follow one another, in either arrangement.
   const bool isInRows = example.quantity == FrictionQuantity::Velocity;
+  const auto units = {"K", "N", "Pa", "m/s"};
+  // In the unit of the names, where it is one.
+  const bool isOneUnit = std::ranges::all_of(
+      states, [&](const StateColumns& state) { return named[*state.mu]->unit == example.unit; });
   std::vector<double> values;
   for (std::size_t i = 0; i < stacked.rows; ++i) {
     const std::size_t row = isInRows ? i / states.size() : i % block.rows;
     const StateColumns& state = states[isInRows ? i % states.size() : i / block.rows];
     stacked.lines.push_back(block.lines[row]);
-    values.push_back(state.value);
+    values.push_back(isOneUnit ? named[*state.mu]->number : state.value);
     for (std::size_t j = 0; j < kept.size(); ++j) {
       const std::size_t from = kept[j] == first.mu      ? *state.mu
                                : kept[j] == first.error ? *state.error
@@ -427,11 +434,10 @@ void stackStates(TextBlock& block) {
       stacked.cells[j].push_back(block.cells[from].empty() ? TextCell{} : block.cells[from][row]);
     }
   }
-  const auto units = {"K", "N", "Pa", "m/s"};
-  TextColumn column{meaningOf(example.quantity),
-                    *std::ranges::find_if(units, [&example](const char* unit) {
-                      return measures(unit, example.quantity);
-                    })};
+  TextColumn column{meaningOf(example.quantity), example.unit};
+  if (!isOneUnit)
+    column.unit = *std::ranges::find_if(
+        units, [&example](const char* unit) { return measures(unit, example.quantity); });
   column.isOfNames = true;
   stacked.append(std::move(column), values);
   block = std::move(stacked);

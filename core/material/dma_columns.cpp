@@ -384,8 +384,18 @@ std::string takeStates(std::string_view name, std::string_view unit, DmaColumn& 
         word = std::string(name.substr(0, found->begin)) + std::string(name.substr(found->end));
       break;
     }
-  // The unit may have been separated from the number in front of it: "E' 3" and "Hz".
+  // The unit may have been separated from the number in front of it: "E' 3" and "Hz", "tan delta
+  // 20" and "\u00B0C".
   const std::string whole = word + " " + std::string(unit);
+  if (const auto found = firstTemperature(whole);
+      found && !column.temperature && found->begin < word.size() && found->end > word.size()) {
+    const std::string rest = word.substr(0, found->begin);
+    if (isMeasured(dmaQuantity(compactName(rest)))) {
+      column.temperature = found->kelvin;
+      column.isUnitOfState = true;
+      return takeStates(rest, "", column);
+    }
+  }
   if (const auto found = firstFrequency(whole)) {
     const std::string rest = word.substr(0, std::min(found->begin, word.size())) +
                              word.substr(std::min(found->end, word.size()));

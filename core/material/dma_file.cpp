@@ -14,6 +14,7 @@
 #include "core/material/dma_samples.h"
 #include "core/material/dma_sweeps.h"
 #include "core/material/dma_units.h"
+#include "core/material/set_temperatures.h"
 #include "core/material/table_forms.h"
 
 namespace asperity {
@@ -52,6 +53,9 @@ class DmaReader {
       addNote(message("tables of numbers that are not used: at line {}",
                       PrintedNumber{shortened(unused)}));
     if (file_.rows.empty()) refuseRows();
+    // A column of temperatures that a user names is read as it is.
+    if (!file_.facts.temperature.name.empty() && choices_.temperatureColumn.empty())
+      if (auto note = groupBySetTemperature(file_.rows, origins_)) addNote(std::move(*note));
     refuseDifferentSamples(file_.rows, origins_, name_);
     return std::move(file_);
   }

@@ -74,6 +74,12 @@ std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const
   auto found = find([](const std::string& text) { return text; });
   if (found == block.columns.end())
     found = find([](const std::string& text) { return lowerCase(text); });
+  // As it is written: "tan delta 20 \u00B0C" has been split into a name and a unit.
+  if (const TextColumn written = parseColumnName(wanted);
+      found == block.columns.end() && !written.unit.empty())
+    found = std::ranges::find_if(block.columns, [&written](const TextColumn& column) {
+      return column.name == written.name && column.unit == written.unit;
+    });
   if (found != block.columns.end()) return static_cast<std::size_t>(found - block.columns.begin());
   std::size_t number = 0;
   if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
@@ -90,6 +96,18 @@ void addChosen(const DmaBlock& in, SweepColumns& columns) {
     if (const std::string& wanted = in.choices.*choice; !wanted.empty())
       columns.indices[quantity] = columnNamed(in.block, wanted, option);
   if (!in.choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
+}
+
+/// Returns whether a sweep has the temperature and the frequency that the names of the columns
+/// state which the user chose.
+bool isOfChosen(const DmaBlock& in, const SweepColumns& chosen, const std::vector<DmaColumn>& found,
+                const SweepColumns& sweep) {
+  return std::ranges::all_of(kChosenColumns, [&](const ChosenColumn& one) {
+    if ((in.choices.*one.choice).empty() || one.quantity == Temperature) return true;
+    const DmaColumn& column = found[chosen[one.quantity]];
+    return (!column.temperature || column.temperature == sweep.temperature) &&
+           (!column.frequency || column.frequency == sweep.frequency);
+  });
 }
 
 /// Distributes the columns: each belongs to the first sweep of its temperature and frequency that
@@ -382,7 +400,8 @@ std::vector<SweepColumns> findSweeps(const DmaBlock& in, std::string& leftOut) {
   } else {
     std::vector<double> temperatures, frequencies;
     for (const SweepColumns& sweep : sweeps) {
-      if (!sweep.temperature && !sweep.frequency) continue;
+      if ((!sweep.temperature && !sweep.frequency) || !isOfChosen(in, common, found, sweep))
+        continue;
       if (sweep.temperature) temperatures.push_back(*sweep.temperature);
       if (sweep.frequency) frequencies.push_back(*sweep.frequency);
       for (const auto& [quantity, index] : sweep.indices)

@@ -112,7 +112,8 @@ std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double t
       throw InputError(
           "", "frequency",
           message("there is one frequency alone at {}, {} Hz; a shift needs sweeps of at "
-                  "least two frequencies at each temperature",
+                  "least two frequencies at each temperature (--temperature-tolerance says how far "
+                  "the rows of one sweep may lie apart)",
                   celsius(sweep.temperature), sweep.points.front().frequency));
   }
   removeDrift(sweeps, tolerance);

@@ -37,7 +37,8 @@ std::span<const std::string_view> surfaceFormats();
 std::vector<std::string_view> surfaceFileEndings();
 
 /// The words of `surface.position_unit` and `surface.height_unit`.
-inline constexpr std::array<std::string_view, 6> kSurfaceUnits{"auto", "m", "mm", "um", "nm", "in"};
+inline constexpr std::array<std::string_view, 7> kSurfaceUnits{"auto", "m",  "mm", "um",
+                                                               "nm",   "in", "mil"};
 
 /// What a user states about a file. The defaults leave everything to the reader.
 struct ReadingChoices {

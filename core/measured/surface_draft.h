@@ -79,7 +79,7 @@ struct HeightGaps {
 };
 
 /// The units that the keys of units may name, for people.
-inline constexpr std::string_view kUnitsOfKeys = "m, mm, \u00B5m, nm, in";
+inline constexpr std::string_view kUnitsOfKeys = "m, mm, \u00B5m, nm, in, mil";
 
 /// The maximum number of points that are read: 512 MiB of heights.
 inline constexpr std::int64_t kMaxPoints = std::int64_t{1} << 26;

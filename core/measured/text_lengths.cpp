@@ -25,7 +25,9 @@ struct LengthNames {
 constexpr LengthNames kSteps{
     WordList("dx, pixelbreite, pixel width, pixelwidth, column spacing, spaltenabstand", ','),
     WordList("dy, pixelh\u00F6he, pixel height, pixelheight, line spacing, row spacing, profile "
-             "spacing, track spacing, linienabstand, zeilenabstand, profilabstand",
+             "spacing, track spacing, scan line spacing, scanline spacing, trace spacing, line "
+             "distance, line pitch, trace distance, linienabstand, zeilenabstand, profilabstand, "
+             "spurabstand",
              ','),
     WordList("delta, \u0394, \u03B4, \u2206, abstand, resolution, aufl\u00F6sung, r\u00E9solution",
              ','),
@@ -290,7 +292,8 @@ WordList unitKeys(bool ofHeights) {
   constexpr WordList kOfHeights(
       "z, vertical unit, vertical units, value units, value unit, z unit, z units, z-unit, unit z, "
       "units z, height unit, height "
-      "units, zunit, einheiten, werteinheit, werteinheiten, z-axis unit, z-axis units, z axis "
+      "units, elevation unit, elevation units, zunit, einheiten, werteinheit, werteinheiten, "
+      "z-axis unit, z-axis units, z axis "
       "unit, z axis units, einheit z-achse, einheit z, z-einheit, unit\u00E9s, unit\u00E9s des "
       "valeurs, unit\u00E9 z, unit\u00E9 des hauteurs, \u9AD8\u3055\u5358\u4F4D, jednotky hodnot, "
       "unit\u00E0 valore, h\u00F6heneinheit, \u5024\u306E\u5358\u4F4D, "

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
 #include "core/measured/grid_numbers.h"
@@ -143,7 +145,7 @@ bool takeSpacing(const AxisSteps& axis, std::int64_t count, SurfaceDraft& draft,
 
 }  // namespace
 
-void takeSpacings(const SurfaceText& in, SurfaceDraft& draft) {
+void takeSpacings(const SurfaceText& in, SurfaceDraft& draft, bool areLines) {
   Topography& grid = draft.grid;
   const auto [x, y] = statedSteps(in, draft);
   const bool isChosen = in.source.choices.spacing > 0;
@@ -154,7 +156,7 @@ void takeSpacings(const SurfaceText& in, SurfaceDraft& draft) {
   const bool hasX = takeSpacing(x, grid.columns, draft, grid.columnSpacing);
   const bool hasY = takeSpacing(y, grid.rows, draft, grid.rowSpacing);
   if (hasX && !hasY) {
-    const bool isOfX = x.length()->hasAxis;
+    const bool isOfX = areLines || x.length()->hasAxis;
     grid.rowSpacing = isOfX ? 0 : grid.columnSpacing;
     if (!isOfX && !isChosen && grid.rows > 1)
       draft.facts.notes.emplace_back(
@@ -180,6 +182,51 @@ void takeSpacings(const SurfaceText& in, SurfaceDraft& draft) {
 }
 
 namespace {
+
+/// Returns the number of lines that the header states.
+std::optional<std::int64_t> statedLines(const TextPart& in) {
+  constexpr WordList kLines(
+      "lines, number of lines, scan lines, number of scan lines, traces, number of traces, "
+      "profiles, "
+      "number of profiles, tracks, number of tracks, anzahl linien, anzahl profile, anzahl spuren",
+      ',');
+  for (const std::string_view key : kLines)
+    if (const auto number = parseQuantity(in.entry(key)); number && number->number > 0)
+      if (const auto count = wholeNumber(number->number)) return count;
+  return {};
+}
+
+/// Returns whether the header states how far lines are apart.
+bool statesLineSpacing(const TextPart& in) {
+  constexpr WordList kSpacings(
+      "line spacing, profile spacing, track spacing, scan line spacing, scanline spacing, trace "
+      "spacing, line distance, line pitch, trace distance, linienabstand, profilabstand, "
+      "spurabstand",
+      ',');
+  return std::ranges::any_of(in.entriesAbove(), [&kSpacings](const TextEntry* entry) {
+    return isOneOf(lowerCase(parseColumnName(entry->key).name), kSpacings);
+  });
+}
+
+/// Makes rows of the columns of a matrix where these are the lines along which a step is stated: by
+/// their number, or because few of them are far longer than the rows. Returns whether they are.
+bool turnLines(const SurfaceText& in, SurfaceDraft& draft) {
+  constexpr std::int64_t kFew = 12, kLong = 4;  // columns, and rows per column
+  Topography& grid = draft.grid;
+  const auto step = headerLength(in, LengthKind::Step, 'x');
+  if (in.source.choices.format == "matrix" || !step || step->hasAxis) return false;
+  const auto lines = statedLines(in);
+  const bool areCounted = lines == grid.columns && lines != grid.rows;
+  const bool areLong =
+      !lines && statesLineSpacing(in) && grid.columns <= kFew && grid.rows > kLong * grid.columns;
+  if (!areCounted && !areLong) return false;
+  draft.facts.notes.push_back(message(
+      "The {} columns are taken for the lines whose number or spacing the header states: they are "
+      "the rows of the surface, unless surface.format is matrix.",
+      grid.columns));
+  grid = transposed(grid);
+  return true;
+}
 
 /// Returns the unit of length that the cells of a matrix have; nothing where they have none, or
 /// several.
@@ -268,10 +315,12 @@ SurfaceDraft readTextMatrix(const SurfaceText& in) {
   if (!draft.heightUnit) draft.unknownHeightUnit = corner.unknownHeight;
   requireHeightName(block, -1, source, draft.facts.notes);
   noteNumbering(numbering, draft.facts.notes);
-  if (frame.hasColumn && !isNumbered)
+  if (frame.hasColumn && !isNumbered) {
     takeFramePositions(frame, corner, in, draft);
-  else
-    takeSpacings(in, draft);
+  } else {
+    const bool areLines = !spip && !isEsri && turnLines(in, draft);
+    takeSpacings(in, draft, areLines);
+  }
   if (const auto size = nanometresPerHeight(in); size && !draft.heightUnit)
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
   if (!draft.heightUnit && draft.unknownHeightUnit.empty())

@@ -18,8 +18,9 @@ SurfaceDraft readTextPoints(const SurfaceText& in);
 /// none.
 std::optional<GridNumbers> gridNumbers(const SurfaceText& in, const ColumnRoles& roles);
 
-/// Sets the distances of the points of a field from the lines above its numbers.
-void takeSpacings(const SurfaceText& in, SurfaceDraft& draft);
+/// Sets the distances of the points of a field from the lines above its numbers. areLines: a length
+/// without an axis is that along the rows alone.
+void takeSpacings(const SurfaceText& in, SurfaceDraft& draft, bool areLines = false);
 
 /// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);

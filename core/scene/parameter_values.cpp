@@ -78,6 +78,8 @@ void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scen
   // People write the unit "um" with either micro sign.
   if (word && (*word == "\u00B5m" || *word == "\u03BCm"))
     found = std::find(field.choices.begin(), field.choices.end(), "um");
+  if (word && (*word == "mils" || *word == "thou"))
+    found = std::find(field.choices.begin(), field.choices.end(), "mil");
   if (found == field.choices.end()) {
     const Message allowed = allowedText(parameter);
     refuse(parameter, word ? message("'{}' is not {}", shortened(*word), allowed)

@@ -375,6 +375,14 @@
         <translation>hat %1 Zeile mit Zahlen; mindestens 2 sind nötig (%2)</translation>
     </message>
     <message>
+        <source>the rows of one %1 are one isotherm, at the mean of their temperatures, which differ from it by up to %2</source>
+        <translation>die Zeilen mit gleichem Wert in %1 sind eine Isotherme, beim Mittel ihrer Temperaturen, die davon um bis zu %2 abweichen</translation>
+    </message>
+    <message>
+        <source>The %1 columns are taken for the lines whose number or spacing the header states: they are the rows of the surface, unless surface.format is matrix.</source>
+        <translation>Die %1 Spalten werden für die Linien gehalten, deren Zahl oder Abstand der Kopf nennt: Sie sind die Zeilen der Oberfläche, außer wenn surface.format matrix ist.</translation>
+    </message>
+    <message>
         <source>in the names of the columns: %1</source>
         <translation>in den Namen der Spalten: %1</translation>
     </message>
@@ -4335,8 +4343,8 @@
         <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
     </message>
     <message>
-        <source>there is one frequency alone at %1, %2 Hz; a shift needs sweeps of at least two frequencies at each temperature</source>
-        <translation>bei %1 gibt es nur eine Frequenz, %2 Hz; eine Verschiebung braucht mindestens zwei Frequenzen bei jeder Temperatur</translation>
+        <source>there is one frequency alone at %1, %2 Hz; a shift needs sweeps of at least two frequencies at each temperature (--temperature-tolerance says how far the rows of one sweep may lie apart)</source>
+        <translation>bei %1 gibt es nur eine Frequenz, %2 Hz; eine Verschiebung braucht mindestens zwei Frequenzen bei jeder Temperatur (--temperature-tolerance sagt, wie weit die Zeilen einer Messreihe auseinanderliegen dürfen)</translation>
     </message>
     <message>
         <source>holds no row of frequency and moduli</source>
@@ -6893,6 +6901,10 @@
     <message>
         <source>from the file</source>
         <translation>aus der Datei</translation>
+    </message>
+    <message>
+        <source>mil</source>
+        <translation>mil</translation>
     </message>
     <message>
         <source>inch</source>

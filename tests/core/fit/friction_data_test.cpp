@@ -815,16 +815,18 @@ TEST(FrictionData, ReadsStatesSideBySide) {
   struct Names {
     std::string first, second;
     double kelvin;
+    std::string unit = "\u00B0C";
   };
-  for (const auto& [first, second, kelvin] :
+  for (const auto& [first, second, kelvin, unit] :
        {Names{"mu 5\u00B0C", "mu 25\u00B0C", 298.15},
-        {"mu_5C", "mu_25C", 298.15},
+        {"mu_5C", "mu_25C", 298.15, "C"},
         {"mu@5\u00B0C", "mu@25\u00B0C", 298.15},
         {"\u00B5 @ 20 \u00B0C", "\u00B5 @ 40 \u00B0C", 313.15},
         {"mu 20 \u00B0C", "mu 40 \u00B0C", 313.15},
         {"COF (-20 \u00B0C)", "COF (-5 \u00B0C)", 268.15},
         {"Reibwert bei 20 \u00B0C", "Reibwert bei 40 \u00B0C", 313.15},
-        {"mu (T=293 K)", "mu (T=313 K)", 313}}) {
+        {"mu (T=293 K)", "mu (T=313 K)", 313, "K"},
+        {"mu 5 \u00B0C", "mu 313.15 K", 313.15, "K"}}) {
     const FrictionData data = parsed("v," + first + "," + second + "\n1,0.3,0.2\n2,0.4,0.3\n");
     ASSERT_EQ(data.points.size(), 4U) << first;
     EXPECT_DOUBLE_EQ(data.points[2].velocity, 1) << first;
@@ -832,7 +834,8 @@ TEST(FrictionData, ReadsStatesSideBySide) {
     EXPECT_NEAR(data.points[2].temperature, kelvin, 1e-9) << first;
     EXPECT_EQ(data.points[3].row, 3) << first;
     EXPECT_EQ(data.notes.size(), 1U) << first;
-    EXPECT_THAT(data.notes[0].english(), HasSubstr("in the names of the columns: temperature (K)"));
+    EXPECT_THAT(data.notes[0].english(),
+                HasSubstr("in the names of the columns: temperature (" + unit + ")"));
   }
   const FrictionData loads = parsed("v,mu (0.2 N),mu (1 N)\n1,0.3,\n2,0.4,0.3\n");
   ASSERT_EQ(loads.points.size(), 3U);

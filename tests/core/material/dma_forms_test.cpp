@@ -548,5 +548,55 @@ TEST(DmaForms, RowsBelowOtherLinesAreNotOfTheTable) {
   }
 }
 
+TEST(DmaForms, TemperaturesInNamesWithoutBracketsSideBySide) {
+  for (const std::string name :
+       {"tan delta {}", "tan(delta) @ {}", "tan delta ({})", "tan \u03B4 bei {}"}) {
+    std::string text = "f (Hz)";
+    for (const std::string state : {"-35 \u00B0C", "0 \u00B0C", "20 \u00B0C"}) {
+      text += ";E' (MPa) " + state + ";" + name;
+      replaceAll(text, "{}", state);
+    }
+    text += "\n1;300;0.1;30;0.2;3;0.3\n10;400;0.1;40;0.2;4;0.3\n";
+    const DmaFile file = read(text);
+    ASSERT_EQ(file.rows.size(), 6U) << name;
+    expectRow(file.rows[0], 238.15, 1, 1e8, 1e7);
+    expectRow(file.rows[3], 273.15, 10, 4e7 / 3, 8e6 / 3);
+    std::string chosen = name;
+    replaceAll(chosen, "{}", "20 \u00B0C");
+    DmaChoices choices;
+    choices.lossTangentColumn = chosen;
+    const DmaFile one = read(text, choices);
+    ASSERT_EQ(one.rows.size(), 2U) << name;
+    expectRow(one.rows[0], 293.15, 1, 1e6, 0.3e6);
+  }
+}
+
+TEST(DmaForms, ASetTemperatureGroupsTheRowsOfItsIsotherms) {
+  const std::string names = ";f (Hz);G' (MPa);G'' (MPa)\n";
+  const std::string rows =
+      "10;9.2;1;3;1\n10;10.1;10;4;2\n10;10.7;100;5;2\n"
+      "20;20.9;1;2;0.5\n20;19.4;10;3;1\n20;19.7;100;4;2\n";
+  for (const std::string columns :
+       {"Setpoint (\u00B0C);Temperature (\u00B0C)", "T set (\u00B0C);T actual (\u00B0C)",
+        "Soll-Temperatur (\u00B0C);Ist-Temperatur (\u00B0C)"}) {
+    const DmaFile file = read(columns + names + rows);
+    ASSERT_EQ(file.rows.size(), 6U) << columns;
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR(file.rows[i].temperature, i < 3 ? 283.15 : 293.15, 1e-9) << columns;
+    EXPECT_THAT(notesOf(file), Contains(HasSubstr("which differ from it by up to 0.9 K")))
+        << columns;
+    // Where the temperatures follow the set ones closely, they are left as they are.
+    const DmaFile close = read(columns + names + "10;9.9;1;3;1\n10;10.1;10;4;2\n");
+    EXPECT_NEAR(close.rows[0].temperature, 283.05, 1e-9) << columns;
+    // Where they overlap or lie far apart, it is not clear.
+    for (const std::string unclear :
+         {"10;9.2;1;3;1\n10;14;10;4;2\n", "10;9;1;3;1\n10;11;10;4;2\n12;10;1;3;1\n12;12;10;4;2\n",
+          "10;9;1;3;1\n;11;10;4;2\n"})
+      EXPECT_NEAR(read(columns + names + unclear).rows[1].temperature,
+                  unclear.find("14") != unclear.npos ? 287.15 : 284.15, 1e-9)
+          << columns << unclear;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -453,8 +453,9 @@ TEST(Units, AreKnownAsWordsAndInches) {
 TEST(Units, ThatNobodyKnowsAreNamed) {
   EXPECT_THAT(
       errorOf(table("x (mm)\tz (furlong)", 1e-3, 1)),
-      HasSubstr("surface.height_unit: is needed (m, mm, \u00B5m, nm, in): the unit 'furlong' of "
-                "the file is not known; known are m, cm, mm"));
+      HasSubstr(
+          "surface.height_unit: is needed (m, mm, \u00B5m, nm, in, mil): the unit 'furlong' of "
+          "the file is not known; known are m, cm, mm"));
   EXPECT_THAT(errorOf(table("x (cubit)\tz (um)", 1, 1)), HasSubstr("the unit 'cubit' of the file"));
   EXPECT_THAT(errorOf("z unit: digits\n" + table("x (mm)\tz", 1e-3, 1)),
               HasSubstr("the unit 'digits' of the file"));

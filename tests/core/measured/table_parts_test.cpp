@@ -357,9 +357,10 @@ TEST(OtherQuantities, AreNoHeights) {
   const std::string head = "Spacing: 2 um\nUnit: um\n";
   for (const std::string name :
        {"Intensity", "Intensity (a.u.)", "Channel: Amplitude", "[Phase]", "Phase image"}) {
-    EXPECT_THAT(errorOf(head + name + "\n" + matrix()),
-                HasSubstr("surface.height_unit: is needed (m, mm, \u00B5m, nm, in): the numbers "
-                          "are named '"))
+    EXPECT_THAT(
+        errorOf(head + name + "\n" + matrix()),
+        HasSubstr("surface.height_unit: is needed (m, mm, \u00B5m, nm, in, mil): the numbers "
+                  "are named '"))
         << name;
     EXPECT_TRUE(says(read(head + name + "\n" + matrix(), {.heightUnit = "um"}),
                      "which are no heights: they are taken as such all the same."))

@@ -127,5 +127,117 @@ TEST(RoadFiles, AreNamed) {
               HasSubstr("is a road file (ERD)"));
 }
 
+// ---- Missing values of several words ------------------------------------------------------------
+
+TEST(MissingWords, AreGapsWhereBlanksSeparateTheNumbers) {
+  for (const std::string words :
+       {"No Data", "no value", "missing value", "Not measured", "out of range", "no signal",
+        "Kein Wert", "nicht  gemessen", "invalid data", "bad point"}) {
+    const auto orGap = [&words](int i, int last) {
+      return i % 10 == last ? words : fmt::format("{:.4f}", micrometresAt(i));
+    };
+    const MeasuredFile profile = read(
+        "X_um Z_um\n" + linesOf([&](int i) { return fmt::format("{} {}", 2 * i, orGap(i, 3)); }));
+    EXPECT_EQ(profile.topography.columns, kRowCount) << words;
+    EXPECT_EQ(profile.facts.gaps, kRowCount / 10) << words;
+    EXPECT_NEAR(profile.topography.at(0, 4), 1e-6 * micrometresAt(4), 1e-10) << words;
+    // In most rows of a matrix, also in its first one.
+    const MeasuredFile matrix =
+        read("# Width: 12 um\n# Height: 60 um\n# Value units: um\n" + linesOf([&](int i) {
+               std::string row;
+               for (int j = 0; j < 12; ++j) row += (j > 0 ? " " : "") + orGap(7 * i + j, 3 * i % 8);
+               return row;
+             }));
+    EXPECT_EQ(matrix.topography.columns, 12) << words;
+    EXPECT_EQ(matrix.topography.rows, kRowCount) << words;
+    EXPECT_GE(matrix.facts.gaps, kRowCount) << words;
+    EXPECT_FALSE(says(matrix, "tables of numbers")) << words;
+    const MeasuredFile points = read("X (um) Y (um) Z (um)\n" + linesOf([&](int i) {
+                                       return fmt::format("{} {} {}", i % 10, i / 10, orGap(i, 3));
+                                     }));
+    EXPECT_EQ(points.facts.points, kRowCount) << words;
+    EXPECT_EQ(points.facts.gaps, kRowCount / 10) << words;
+  }
+}
+
+TEST(MissingWords, AboveTheNumbersAreNoRow) {
+  const MeasuredFile file = read("X_um Z_um\nMissing data 12\n" + linesOf([](int i) {
+                                   return fmt::format("{} {:.4f}", 2 * i, micrometresAt(i));
+                                 }));
+  EXPECT_EQ(file.topography.columns, kRowCount);
+  EXPECT_EQ(file.facts.gaps, 0);
+  EXPECT_FALSE(says(file, "left out"));
+}
+
+/// Words that are not known leave no part of a table out.
+TEST(MissingWords, ThatAreNotKnownAreRefused) {
+  for (const std::string words : {"no echo", "bad echo", "laser dropout", "no echo here"}) {
+    const auto orWords = [&words](int i, int period) {
+      return i % period == 0 ? words : fmt::format("{:.4f}", micrometresAt(i));
+    };
+    for (const int period : {2, 7}) {
+      const std::string profile =
+          errorOf("X_um Z_um\n0 1\n" + linesOf([&](int i) {
+                    return fmt::format("{} {}", i + 1, orWords(i + 1, period));
+                  }));
+      EXPECT_THAT(profile, HasSubstr("' in column 2 is not a number")) << words << period;
+    }
+    // Few rows of a matrix are whole.
+    std::string matrix = "# Width: 6 um\n# Height: 60 um\n# Value units: um\n";
+    matrix += linesOf([&](int i) {
+      std::string row;
+      for (int j = 0; j < 6; ++j)
+        row += fmt::format("{}{}", j > 0 ? " " : "", orWords(6 * i + j + 1, i % 5 < 2 ? 999 : 4));
+      return row;
+    });
+    EXPECT_THAT(errorOf(matrix), HasSubstr("line 6: '" + words.substr(0, 2))) << words;
+  }
+}
+
+TEST(Statements, AreNoNamesOfTheOnlyColumn) {
+  const std::string rows =
+      linesOf([](int i) { return fmt::format("{:.7f}", 1e-3 * micrometresAt(i)); });
+  for (const std::string line : {"Speed 0.25 mm/s", "Range 12.5 um", "Load 1 mN"})
+    expectSpacing(read("Spacing: 0.5 um\nZ unit: mm\n" + line + "\n\n" + rows), 0.5e-6);
+}
+
+// ---- Lines in columns ---------------------------------------------------------------------------
+
+TEST(LinesInColumns, HaveTheirOwnSpacing) {
+  const std::string rows = linesOf([](int i) {
+    std::string row;
+    for (int line = 0; line < 5; ++line)
+      row += fmt::format("{}{:.3f}", line > 0 ? "," : "", 0.1 * micrometresAt(i + 11 * line));
+    return row;
+  });
+  const auto expectLines = [](const MeasuredFile& file, double along, double between, double unit) {
+    ASSERT_EQ(file.topography.columns, kRowCount);
+    ASSERT_EQ(file.topography.rows, 5);
+    EXPECT_NEAR(file.topography.columnSpacing, along, 1e-12);
+    EXPECT_NEAR(file.topography.rowSpacing, between, 1e-12);
+    EXPECT_NEAR(file.topography.at(3, 7), 0.1 * micrometresAt(7 + 33) * unit, 1e-3 * unit);
+    EXPECT_TRUE(says(file, "The 5 columns are taken for the lines"));
+  };
+  const std::string spacings =
+      "Scan line spacing (mm),1.0\nSample spacing (mm),0.5\nElevation (mm)\n";
+  expectLines(read(spacings + rows), 0.5e-3, 1e-3, 1e-3);
+  expectLines(read("Sample spacing (in),0.01\nNumber of lines,5\nElevation units: mils\n\n" + rows),
+              0.254e-3, 0, 25.4e-6);
+  const MeasuredFile matrix = read(spacings + rows, {.format = "matrix"});
+  EXPECT_EQ(matrix.topography.columns, 5);
+  EXPECT_NEAR(matrix.topography.columnSpacing, 0.5e-3, 1e-12);
+  EXPECT_NEAR(matrix.topography.rowSpacing, 1e-3, 1e-12);
+}
+
+TEST(Mils, AreAUnitOfHeights) {
+  const std::string rows = linesOf([](int i) { return fmt::format("{:.4f}", micrometresAt(i)); });
+  const MeasuredFile chosen = read("Spacing: 0.5 mm\n" + rows, {.heightUnit = "mil"});
+  EXPECT_NEAR(chosen.topography.at(0, 4), 25.4e-6 * micrometresAt(4), 1e-8);
+  for (const std::string unit : {"mil", "mils", "thou"})
+    EXPECT_NEAR(read("Spacing: 0.5 mm\nElevation units: " + unit + "\n" + rows).topography.at(0, 4),
+                25.4e-6 * micrometresAt(4), 1e-8)
+        << unit;
+}
+
 }  // namespace
 }  // namespace asperity::written

@@ -127,7 +127,7 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
     });
   };
   EXPECT_THAT(errorOf(text(1, 1)),
-              HasSubstr("surface.position_unit: is needed (m, mm, \u00B5m, nm, in)"));
+              HasSubstr("surface.position_unit: is needed (m, mm, \u00B5m, nm, in, mil)"));
   EXPECT_THAT(errorOf(text(1e-6, 1)), HasSubstr("surface.height_unit: is needed"));
   ReadingChoices choices;
   choices.positionUnit = "um";

@@ -90,6 +90,16 @@ TEST(Parameters, MicrometresMayBeWrittenWithEitherMicroSign) {
   }
 }
 
+TEST(Parameters, MilsMayBeWrittenAsThou) {
+  Scene scene;
+  for (const char* unit : {"mil", "mils", "thou"}) {
+    setFromText(*findParameter("surface.height_unit"), scene, "mm");
+    setFromText(*findParameter("surface.height_unit"), scene, unit);
+    EXPECT_EQ(parameterValue(*findParameter("surface.height_unit"), scene), ParameterValue("mil"))
+        << unit;
+  }
+}
+
 TEST(Parameters, MessagesSayWhatIsWrongAndWhatIsAllowed) {
   Scene scene;
   try {
