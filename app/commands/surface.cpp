@@ -106,7 +106,7 @@ ColumnChoice columnChoice(const SurfaceCommand& command) {
 }
 
 std::string csvText(SurfaceTable table, const LineOfScene& made) {
-  if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(made.source));
+  if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(made.source, made.summary()));
   if (table == SurfaceTable::Statistics)
     return tableCsv(statisticsTable(made.line, made.summary()));
   return lineCsv(made.line);

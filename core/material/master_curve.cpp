@@ -129,12 +129,13 @@ JointShifts fittedTogether(std::span<const Isotherm> isotherms, const std::vecto
 
 /// Replaces the sums of the shifts of neighbours by the shifts of a joint fit of all isotherms
 /// where these differ by more than the stated errors. Then the polynomials of neighbours do not
-/// follow the moduli between the points, with an error of one sign at every step.
-void refine(std::span<const Isotherm> isotherms, const std::vector<double>& weights,
+/// follow the moduli between the points, with an error of one sign at every step. Returns whether
+/// it does.
+bool refine(std::span<const Isotherm> isotherms, const std::vector<double>& weights,
             std::vector<Estimate>& both, std::vector<Estimate>& storage,
             std::vector<Estimate>& loss, const std::stop_token& stop) {
   constexpr double kClear = 2;  // standard errors
-  if (isotherms.size() < 3) return;
+  if (isotherms.size() < 3) return false;
   std::vector<double> start;
   for (const Estimate& shift : both) start.push_back(shift.value);
   const std::vector<Estimate> joint = fittedTogether(isotherms, start, weights, stop).shifts;
@@ -144,7 +145,7 @@ void refine(std::span<const Isotherm> isotherms, const std::vector<double>& weig
     isClear = isClear ||
               (std::isfinite(error) && std::abs(joint[i].value - both[i].value) > kClear * error);
   }
-  if (!isClear) return;
+  if (!isClear) return false;
   both = joint;
   for (std::size_t i = 0; i < joint.size(); ++i) start[i] = joint[i].value;
   const std::vector<LogSweep> sweeps = logarithms(isotherms);
@@ -153,6 +154,7 @@ void refine(std::span<const Isotherm> isotherms, const std::vector<double>& weig
     const JointShifts fitted = jointShifts(sweeps, start, weights, moduli, stop);
     if (!fitted.shifts.empty()) *alone = fitted.shifts;
   }
+  return true;
 }
 
 void addPoints(std::span<const Isotherm> isotherms, MasterCurve& curve) {
@@ -256,7 +258,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   compareModuli(noise, sums, steps, curve);
   // A joint fit needs one curve.
   if (!isVertical && curve.isThermorheologicallySimple && !curve.vertical.isSignificant)
-    refine(isotherms, sums.weights(), horizontal, ofStorage, ofLoss, stop);
+    curve.isFittedTogether = refine(isotherms, sums.weights(), horizontal, ofStorage, ofLoss, stop);
   moveReference(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
   // A material that is not entropic differs from b_T ~ T by the same at every step.
   const auto assumed = sums.from(ofEntropy);

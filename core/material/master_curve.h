@@ -57,6 +57,9 @@ struct MasterCurve {
   double largestDifference = 0;  // in the table
   double shapeMisfit = 0;        // decades of modulus, rms, beyond noise and any shifts
   VerticalEvidence vertical;
+  /// Whether the shifts are those of a fit of all isotherms together (joint_fit.h) in place of the
+  /// sums of the shifts of neighbours.
+  bool isFittedTogether = false;
 
   double lowestFrequency() const { return points.front().modulus.frequency; }  // Hz
   double highestFrequency() const { return points.back().modulus.frequency; }  // Hz

@@ -92,6 +92,11 @@ void addResiduals(const Material& material, std::vector<Message>& lines) {
     lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",
                             printed(best.mismatch, 2), printed(worst.mismatch, 2)));
   }
+  if (curve.isFittedTogether)
+    lines.push_back(
+        "shifts: all isotherms are fitted together by smooth moduli, because the sums of the "
+        "shifts "
+        "of neighbours differ from it by more than their errors");
   lines.push_back(message(
       "Prony series: {} from {} relaxation times, G\u221E = {}; "
       "rms residual {} % of G\u2032, {} % of G\u2033",

@@ -121,11 +121,18 @@ std::string lineCsv(const Line& line) {
   return text;
 }
 
-DataTable spectrumTable(const LineSource& source) {
+DataTable spectrumTable(const LineSource& source, const MeasuredSummary* measured) {
   DataTable table{columnNames({"wave_number", "power_spectral_density"}), {}};
+  if (measured) table.columns.push_back(ColumnName("reliable").text());
   const SpectralDensity spectrum = lineSpectrum(source.spectrum(0));
-  for (std::size_t j = 0; j < spectrum.density.size(); ++j)
-    table.rows.push_back({spectrum.waveNumber[j], spectrum.density[j]});
+  for (std::size_t j = 0; j < spectrum.density.size(); ++j) {
+    const double waveNumber = spectrum.waveNumber[j];
+    table.rows.push_back({waveNumber, spectrum.density[j]});
+    if (!measured) continue;
+    const ReliableBand& band = measured->band;
+    const bool isReliable = waveNumber >= band.from && waveNumber <= band.to;
+    table.rows.back().emplace_back(std::int64_t{isReliable});
+  }
   return table;
 }
 

@@ -46,9 +46,9 @@ std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile);
 /// Returns a table "position,height" in metres.
 std::string lineCsv(const Line& line);
 
-/// Returns "wave_number", "power_spectral_density" of the waves of a line; no rows for a line
-/// without modes.
-DataTable spectrumTable(const LineSource& source);
+/// Returns "wave_number", "power_spectral_density" of the waves of a line, and "reliable" for that
+/// of a measured surface; no rows for a line without modes.
+DataTable spectrumTable(const LineSource& source, const MeasuredSummary* measured = nullptr);
 
 /// Returns "quantity", "unit", "value", "raw": the statistics of the line, then the parameters of
 /// ISO 21920-2 of a measured surface before and after processing. measured: null for other lines.

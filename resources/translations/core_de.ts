@@ -7319,6 +7319,10 @@
         <translation>die Reihe folgt den Moduln nicht: keine Relaxation hat einen solchen Speichermodul zusammen mit einem solchen Verlustmodul (Kramers und Kronig); Spalten, Einheiten und Verschiebungen prüfen</translation>
     </message>
     <message>
+        <source>shifts: all isotherms are fitted together by smooth moduli, because the sums of the shifts of neighbours differ from it by more than their errors</source>
+        <translation>Verschiebungen: alle Isothermen sind gemeinsam durch glatte Moduln angepasst, weil die Summen der Verschiebungen von Nachbarn davon um mehr als ihre Fehler abweichen</translation>
+    </message>
+    <message>
         <source>line %1: the %2 is not used, because a column gives the %3; take the column out where the line says the load</source>
         <translation>Zeile %1 wird nicht verwendet (%2), weil eine Spalte die Last angibt (%3); wo die Zeile die Last angibt, die Spalte weglassen</translation>
     </message>

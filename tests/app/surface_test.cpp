@@ -106,6 +106,18 @@ TEST_F(SurfaceCommandTest, TakesALineThatItWroteAsItStands) {
   EXPECT_EQ(read("again.csv"), before);
 }
 
+/// The table is read again as the spectrum of random lines.
+TEST_F(SurfaceCommandTest, TheSpectrumOfAMeasuredSurfaceTellsItsReliableBand) {
+  const Said said = program.run("surface m.json --table spectrum -o s.csv");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(withoutComment(read("s.csv")),
+              testing::StartsWith("wave_number,power_spectral_density,reliable\n"));
+  program.folder.write("r.json", R"({"surface": {"kind": "spectrum", "file": "s.csv",
+                                     "spectrum_kind": "c1_two_sided"}})");
+  const Said again = program.run("check r.json");
+  EXPECT_EQ(again.status, 0) << again.err;
+}
+
 TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {
   for (const std::string arguments :
        {"check m.json", "explain m.json", "render m.json -o c.png --size 640x360",

@@ -263,6 +263,8 @@ TEST(CurveDiagram, EachQuantityStandsOnTheVerticalAxis) {
 /// The foundation's contact fraction at low velocity stands beside the computed one.
 TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
   Scene scene = drawnScene();
+  scene.surface.rollOffWavelength = scene.surface.length / 20;  // several waves are in contact
+  scene.load.normalForce = 0.03;
   scene.comparison.theory = {Theory::GaussianFoundation, Theory::PerssonHalfSpace};
   CurveSet set;
   set.present = curveOf(scene);

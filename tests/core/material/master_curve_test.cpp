@@ -80,6 +80,7 @@ struct RippledRubber {
 /// their stated error.
 TEST(MasterCurve, RipplesDoNotAddUpFromStepToStep) {
   const MasterCurve curve = masterCurve(RippledRubber::sweeps(0, 1), RippledRubber::kReference);
+  EXPECT_TRUE(curve.isFittedTogether);
   for (const IsothermShift& shift : curve.shifts) {
     const double truth = RippledRubber::log10Shift(shift.temperature);
     EXPECT_NEAR(shift.log10Shift, truth, 0.005) << shift.temperature;
