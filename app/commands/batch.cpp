@@ -356,7 +356,7 @@ class BatchRun {
     for (const BatchResult& result : results_) {
       Json& one = scenes.emplace_back(itemJson(result.item));
       if (!result.item.error.empty()) continue;
-      const Json own = lineProvenance("batch", result.item.scene);
+      const Json own = provenance("batch", result.item.scene);
       for (const char* member : {"inputs", "scene"})
         if (own.contains(member)) one[member] = own[member];
     }

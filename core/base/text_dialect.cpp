@@ -366,6 +366,9 @@ void splitFields(std::string_view line, Separator separator,
   }
 }
 
+namespace {
+
+/// Joins the words of a missing value that blanks have separated into one field.
 void joinMissing(std::vector<std::string_view>& fields) {
   constexpr std::size_t kMostWords = 3;
   const auto isWord = [](std::string_view field) {
@@ -391,13 +394,17 @@ void joinMissing(std::vector<std::string_view>& fields) {
   fields.resize(count);
 }
 
+}  // namespace
+
+void splitTextRow(std::string_view line, const TextDialect& dialect,
+                  std::vector<std::string_view>& fields) {
+  splitFields(line, dialect.separator, fields);
+  if (!dialect.isExact()) joinMissing(fields);
+}
+
 void splitRow(std::string_view line, const TextDialect& dialect,
               std::vector<std::string_view>& fields) {
-  const auto split = [&](std::string_view part) {
-    splitFields(part, dialect.separator, fields);
-    if (!dialect.isExact()) joinMissing(fields);
-  };
-  split(line);
+  splitTextRow(line, dialect, fields);
   const auto hasTexts = [&] {
     return std::ranges::any_of(fields, [&](std::string_view field) {
       return readField(field, dialect.decimal).kind == FieldKind::Text;
@@ -407,8 +414,8 @@ void splitRow(std::string_view line, const TextDialect& dialect,
   for (const std::string_view one : {" #", "\t#", " //", "\t//"})
     mark = std::min(mark, line.find(one));
   if (mark >= line.size() || !hasTexts()) return;
-  split(line.substr(0, mark));
-  if (hasTexts()) split(line);  // a label such as "tread #2"
+  splitTextRow(line.substr(0, mark), dialect, fields);
+  if (hasTexts()) splitTextRow(line, dialect, fields);  // a label such as "tread #2"
 }
 
 TextDialect detectDialect(std::string_view text, bool readsCells) {

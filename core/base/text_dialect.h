@@ -51,13 +51,13 @@ inline std::vector<std::string_view> splitWords(std::string_view line) {
   return splitFields(line, TextDialect::Separator::Blanks);
 }
 
-/// Joins the words of a missing value that blanks have separated into one field: "No Data", "out of
-/// range".
-void joinMissing(std::vector<std::string_view>& fields);
+/// Replaces `fields` by those of a row of numbers and texts. Where blanks separate, the words of a
+/// missing value are one field: "No Data", "out of range".
+void splitTextRow(std::string_view line, const TextDialect& dialect,
+                  std::vector<std::string_view>& fields);
 
-/// Replaces `fields` by those of a row of numbers. Where blanks separate, the words of a missing
-/// value are one field. A comment at its end, a blank with "#" or "//"
-/// and what follows, is left out where the fields in front of it are numbers alone.
+/// Does so for a row of numbers. A comment at its end, a blank with "#" or "//" and what follows,
+/// is left out where the fields in front of it are numbers alone.
 void splitRow(std::string_view line, const TextDialect& dialect,
               std::vector<std::string_view>& fields);
 

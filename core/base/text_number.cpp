@@ -23,16 +23,13 @@ constexpr WordList kMissing(
     "n/a, null, none, nil, missing, bad, void, undef, undefined, n.d., n.a., nd, ?, ., \u2013, "
     "\u2014, ol, overflow, over, +over, -over, overrange, over range, out of range, overload, "
     "underflow, underrange, ovfl, ovld, \u00DCberlauf, "
-    "masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, not measured, not "
-    "available, "
-    "not valid, not a number, no signal, no reading, no measurement, no reflection, no return, no "
-    "result, missing value, missing data, missing point, invalid data, invalid value, invalid "
-    "point, "
-    "bad data, bad value, bad point, bad pixel, data missing, value missing, kein wert, keine "
-    "daten, "
-    "kein messwert, kein signal, nicht gemessen, nicht messbar, fehlender wert, pas de "
-    "donn\u00E9es, "
-    "pas de valeur, sin datos, sin valor, nessun dato, sem dados, "
+    "masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, not measured, "
+    "not available, not valid, not a number, no signal, no reading, no measurement, "
+    "no reflection, no return, no result, missing value, missing data, missing point, "
+    "invalid data, invalid value, invalid point, bad data, bad value, bad point, bad pixel, "
+    "data missing, value missing, kein wert, keine daten, kein messwert, kein signal, "
+    "nicht gemessen, nicht messbar, fehlender wert, pas de donn\u00E9es, pas de valeur, "
+    "sin datos, sin valor, nessun dato, sem dados, "
     "error, err, #error, empty, out, saturated, clipped, outlier",
     ',');
 

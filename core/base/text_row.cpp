@@ -94,12 +94,10 @@ void TextRow::removeLast() {
 
 std::vector<std::string_view> RowReader::split(std::string_view line) const {
   std::vector<std::string_view> fields;
-  if (options_.keepsTexts) {
-    splitFields(line, dialect_.separator, fields);
-    if (!dialect_.isExact()) joinMissing(fields);
-  } else {
+  if (options_.keepsTexts)
+    splitTextRow(line, dialect_, fields);
+  else
     splitRow(line, dialect_, fields);
-  }
   if (options_.readsCells && !dialect_.isExact()) joinCells(fields);
   return fields;
 }

@@ -273,13 +273,12 @@ class TableReader {
       if (row_.is(i, FieldKind::Text) && !columns[i].isText)
         fail(message("line {}: '{}' in column {} is not a number", line.number,
                      shortened(trimmedField(row_.fields[i])), i + 1));
-    if (isWide && !options_.keepsTexts) refuseWords(line);
+    if (isWide && !options_.keepsTexts) refuseWords(row_, line.number);
   }
 
-  /// Throws InputError for a line that has words in the place of a number, and so more fields than
-  /// the rows: "0.5 no echo". Words behind all numbers of a row are none of these.
-  void refuseWords(const TextLine& line) const {
-    const TextRow row = rows_.read(line.text);
+  /// Throws InputError for a row that has words in the place of a number, and so more fields than
+  /// the others: "0.5 no echo". Words behind all numbers of a row are none of these.
+  void refuseWords(const TextRow& row, std::size_t number) const {
     std::size_t first = 0;
     while (row.is(first, FieldKind::Number)) ++first;
     std::size_t last = first;
@@ -289,7 +288,7 @@ class TableReader {
     if (first >= block().columns.size()) return;
     const char* const begin = row.fields[first].data();
     const char* const end = row.fields[last].data() + row.fields[last].size();
-    fail(message("line {}: '{}' in column {} is not a number", line.number,
+    fail(message("line {}: '{}' in column {} is not a number", number,
                  shortened(std::string_view(begin, static_cast<std::size_t>(end - begin))),
                  first + 1));
   }
@@ -312,7 +311,7 @@ class TableReader {
     if (next.number != number + 1) return;
     const TextLine& line = above_.front();
     const TextRow row = rows_.read(line.text);
-    if (row.count(FieldKind::Text) > 0) refuseWords(line);
+    if (row.count(FieldKind::Text) > 0) refuseWords(row, line.number);
     fail(message("line {}: has {} fields where the lines before have {}", line.number, row.size(),
                  row_.size()));
   }

@@ -319,7 +319,7 @@ std::optional<Message> forceNote(const FrictionData& data, const Scene& scene) {
   for (const MeasuredPoint& point : data.points)
     if (!std::isnan(point.normalForce)) forces.add(point.normalForce);
   if (forces.isEmpty()) return {};
-  const double length = LineSource(scene, pointsPerElement(scene)).length();
+  const double length = lineExtent(scene).length;
   const double ofScene = loadOn(scene.load, length).normalForce;
   if (!(forces.least > kFar * ofScene || forces.most < ofScene / kFar)) return {};
   const double perForce = scene.load.nominalPressure / ofScene;

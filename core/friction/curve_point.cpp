@@ -77,9 +77,8 @@ std::optional<Message> pressureNote(std::span<const CurvePoint> points, double w
 
 std::optional<Message> pressureNote(const Scene& scene) {
   if (scene.load.kind != LoadKind::Pressure) return {};
-  const LineSource source(scene, pointsPerElement(scene));
   CurvePoint point;
-  point.normalForce = loadOn(scene.load, source.length()).normalForce;
+  point.normalForce = loadOn(scene.load, lineExtent(scene).length).normalForce;
   point.nominalPressure = scene.load.nominalPressure;
   return pressureNote({&point, 1}, scene.load.width);
 }

@@ -431,7 +431,8 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
     words.front() = "j";
   // "Sample T" and "T furnace"
   if (column.quantity == DmaQuantity::None && words.size() == 2 && isOneOf("t", words) &&
-      (hasOneOf(words, kWordsOfSample) || hasOneOf(words, kWordsOfDevice)))
+      (hasOneOf(words, kWordsOfSample) || hasOneOf(words, kWordsOfSetPoint) ||
+       hasOneOf(words, kWordsOfDevice)))
     column.quantity = DmaQuantity::Temperature;
   for (const std::string& one : words) column.words += " " + one;
   for (const char mark : word)

@@ -51,13 +51,12 @@ Message dividedForShear(double poisson);
 /// by which moduli of tension are divided.
 std::optional<Message> otherPoissonNote(const TextPart& in, double poisson);
 
-/// Words that name the temperature of the sample, and a set one or that of a device.
+/// Words that name the temperature of the sample, a set one, and that of a device.
 inline constexpr WordList kWordsOfSample(
     "sample specimen probe proben actual ist measured tsample tprobe tist tactual tmeasured");
-inline constexpr WordList kWordsOfDevice(
-    "set setpoint soll target nominal program programmed oven furnace chamber bath ofen kammer "
-    "tset "
-    "tsoll");
+inline constexpr WordList kWordsOfSetPoint(
+    "set setpoint soll target nominal program programmed tset tsoll");
+inline constexpr WordList kWordsOfDevice("oven furnace chamber bath ofen kammer");
 
 struct DmaColumn {
   /// Of a viscosity, eta' is part of the loss modulus, and eta'' of the storage modulus; J' and J''

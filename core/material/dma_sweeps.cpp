@@ -254,7 +254,8 @@ void dropSetTemperatures(std::vector<DmaColumn>& found) {
     return column.quantity == Temperature && hasWord(column, kWordsOfSample);
   };
   const auto isOfDevice = [](const DmaColumn& column) {
-    return column.quantity == Temperature && hasWord(column, kWordsOfDevice);
+    return column.quantity == Temperature &&
+           (hasWord(column, kWordsOfSetPoint) || hasWord(column, kWordsOfDevice));
   };
   if (!std::ranges::any_of(found, [&](const DmaColumn& column) {
         return isOfSample(column) && !isOfDevice(column);

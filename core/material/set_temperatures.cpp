@@ -16,14 +16,16 @@ namespace {
 /// Returns the only column of set temperatures, "Setpoint (\u00B0C)", "T set"; nothing where there
 /// are none or several.
 std::optional<std::size_t> setColumn(const TextBlock& block) {
-  constexpr WordList kSet(
-      "set setpoint soll solltemperatur sollwert target nominal program programmed tset tsoll");
+  const auto namesSetPoint = [](const TextColumn& column) {
+    const std::vector<std::string> words = wordsIn(column.name);
+    return hasOneOf(words, kWordsOfSetPoint) || hasOneOf(words, "solltemperatur sollwert");
+  };
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     const TextColumn& column = block.columns[i];
     const bool isTemperature =
         dmaColumn(column).quantity == DmaQuantity::Temperature || temperatureUnit(column.unit);
-    if (column.isText || !isTemperature || !hasOneOf(wordsIn(column.name), kSet)) continue;
+    if (column.isText || !isTemperature || !namesSetPoint(column)) continue;
     if (found) return {};
     found = i;
   }
@@ -72,8 +74,10 @@ std::vector<SetGroup> groupsOf(const std::vector<MeasuredModulus>& rows,
   return groups;
 }
 
-/// Returns whether rows closer than the tolerance are other isotherms than the groups.
-bool areOthers(const std::vector<SetGroup>& groups, const std::vector<MeasuredModulus>& rows) {
+/// Returns whether the tolerance alone groups the rows otherwise: it parts the rows of a group, or
+/// joins two groups.
+bool differFromTolerance(const std::vector<SetGroup>& groups,
+                         const std::vector<MeasuredModulus>& rows) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::vector<double> temperatures;
     for (const std::size_t row : groups[i].rows) temperatures.push_back(rows[row].temperature);
@@ -92,7 +96,7 @@ bool areOthers(const std::vector<SetGroup>& groups, const std::vector<MeasuredMo
 std::optional<Message> groupBySetTemperature(std::vector<MeasuredModulus>& rows,
                                              const std::vector<RowOrigin>& origins) {
   const std::vector<SetGroup> groups = groupsOf(rows, origins);
-  if (groups.empty() || !areOthers(groups, rows)) return {};
+  if (groups.empty() || !differFromTolerance(groups, rows)) return {};
   double farthest = 0;
   for (const SetGroup& group : groups)
     for (const std::size_t row : group.rows) {

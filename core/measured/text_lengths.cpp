@@ -188,6 +188,13 @@ TextEntry keyedEntry(const TextEntry& entry) {
 
 }  // namespace
 
+bool statesLineSpacing(const TextPart& in) {
+  return std::ranges::any_of(in.entriesAbove(), [](const TextEntry* entry) {
+    const std::string name = lowerCase(parseColumnName(entry->key).name);
+    return isOneOf(name, kSteps.ofY) && containsOneOf(name, "line linien profil track trace spur");
+  });
+}
+
 std::optional<HeaderLength> headerLength(const SurfaceText& in, LengthKind kind, char axis) {
   const LengthNames& names = kind == LengthKind::Step ? kSteps : kExtents;
   constexpr std::size_t kWithoutKey = 1000;  // after all names

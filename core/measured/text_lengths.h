@@ -44,6 +44,10 @@ enum class LengthKind { Step, Extent };
 /// spacing.
 std::optional<HeaderLength> headerLength(const SurfaceText& in, LengthKind kind, char axis);
 
+/// Returns whether the lines above the numbers state how far measured lines are apart: "Line
+/// spacing", "Profilabstand", which say more than "dy".
+bool statesLineSpacing(const TextPart& in);
+
 /// Returns the lengths of a field that the header calls width and length, in their order: the first
 /// one is that along x. Nothing where it has only one of them.
 std::optional<std::pair<HeaderLength, HeaderLength>> widthAndLength(const TextBlock& block);

@@ -6,7 +6,6 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
 #include "core/measured/grid_numbers.h"
@@ -194,18 +193,6 @@ std::optional<std::int64_t> statedLines(const TextPart& in) {
     if (const auto number = parseQuantity(in.entry(key)); number && number->number > 0)
       if (const auto count = wholeNumber(number->number)) return count;
   return {};
-}
-
-/// Returns whether the header states how far lines are apart.
-bool statesLineSpacing(const TextPart& in) {
-  constexpr WordList kSpacings(
-      "line spacing, profile spacing, track spacing, scan line spacing, scanline spacing, trace "
-      "spacing, line distance, line pitch, trace distance, linienabstand, profilabstand, "
-      "spurabstand",
-      ',');
-  return std::ranges::any_of(in.entriesAbove(), [&kSpacings](const TextEntry* entry) {
-    return isOneOf(lowerCase(parseColumnName(entry->key).name), kSpacings);
-  });
 }
 
 /// Makes rows of the columns of a matrix where these are the lines along which a step is stated: by
