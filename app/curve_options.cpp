@@ -338,6 +338,7 @@ CurveSet curvesWithoutPoints(const CurveArguments& arguments, const Scene& scene
   };
   for (const FamilyMember& member : familyMembers(arguments, scene)) {
     set.familyKey = parseRangeOption(kFamily, arguments.family).key();
+    set.isLawNamed = !arguments.theory.empty() && showsLaw(scene);
     add(describeParameter(set.familyKey, member.scene), member.scene, member.value);
   }
   for (const std::string& assignments : arguments.with) {

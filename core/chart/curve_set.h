@@ -81,6 +81,7 @@ struct CurveSet {
   CurveQuantity y = CurveQuantity::Mu;        // of physical axes
   std::optional<AxisScale> xScale, yScale;    // none: as the sweep's values are spaced; logarithmic
   std::string familyKey;                      // the key in which the pinned curves differ; or empty
+  bool isLawNamed = false;                    // whether Eq. (11) was named beside a family
   std::optional<CurveDifference> difference;  // of the present curve
   // Ranges of the present axes, in their units; equal ends: automatic.
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;
@@ -94,8 +95,9 @@ struct CurveSet {
   bool isOfMu() const { return axes == CurveAxes::Dimensionless || y == CurveQuantity::Mu; }
   /// Returns whether velocities on the axis are shifted.
   bool hasReducedAxis() const { return isReduced && isOfVelocity() && axes == CurveAxes::Physical; }
-  /// Returns whether the points of the curve have Eq. (11) as these axes show it.
-  bool hasLawInPoints() const { return isOfVelocity() && isOfMu(); }
+  /// Returns whether the points of the curve have Eq. (11) as these axes show it. Beside a family
+  /// they are not drawn, so that a law that was named is one of the theories.
+  bool hasLawInPoints() const { return isOfVelocity() && isOfMu() && !isLawNamed; }
   AxisScale scaleOfX() const;
   AxisScale scaleOfY() const { return yScale.value_or(AxisScale::Logarithmic); }
 };

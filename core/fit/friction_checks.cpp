@@ -107,7 +107,7 @@ void refuseFrictionForce(const std::vector<MeasuredPoint>& points, const TextBlo
   constexpr std::size_t kMin = 3;
   constexpr double kRounding = 1.02, kVaries = 1.1;
   const FrictionRole* force = roles.find(FrictionQuantity::Force);
-  if (!force || points.size() < kMin) return;
+  if (!force || points.size() < kMin || std::isnan(points.front().normalForce)) return;
   const auto ratio = [](const MeasuredPoint& point) { return point.normalForce / point.mu; };
   const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
   const auto [low, high] = std::ranges::minmax_element(points, {}, ratio);

@@ -77,10 +77,6 @@ class FrictionRoleFinder {
       refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
                      Message(meaningOf(Quantity::Mu)), Message::name(namesOfColumns(block_)),
                      "mu"));
-    if (roles_.find(Quantity::Force) && roles_.find(Quantity::Pressure))
-      refuse(
-          "has both a normal force and a nominal pressure; one of them says the load, so take the "
-          "column of the other one out");
   }
 
   /// Returns whether a name is that of friction in one state: "mu 5\u00B0C", "mu_5C", "mu@5 N".

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
@@ -252,6 +253,32 @@ class RowReader {
   std::vector<std::size_t> negatives_;  // columns below 0 in all rows
 };
 
+/// Leaves the force on the whole sample out where a test states its nominal pressure, too: the
+/// pressure does not depend on the sample. Returns the note on it. Throws InputError where the two
+/// are not proportional, so that they are not the load on one sample.
+Message keepPressures(std::vector<MeasuredPoint>& points, const std::string& name) {
+  constexpr double kAgree = 1.15;  // one of the two may be a nominal value
+  Extent areas;
+  for (MeasuredPoint& point : points) {
+    areas.add(point.normalForce / point.nominalPressure);
+    point.normalForce = kNotApplicable;
+  }
+  constexpr double kSquareCentimetres = 1e4;  // in a square metre
+  const auto from = printed(areas.least * kSquareCentimetres, 3),
+             to = printed(areas.most * kSquareCentimetres, 3);
+  if (!(areas.most <= kAgree * areas.least))
+    throw InputError(
+        name, "",
+        message("has both a normal force and a nominal pressure, which are not those of one "
+                "sample: their quotient is {} to {} cm\u00B2; take the column out that does not "
+                "say the load",
+                from, to));
+  return message(
+      "the nominal pressure says the load; the normal force, on a sample of {} cm\u00B2, is not "
+      "used",
+      to);
+}
+
 }  // namespace
 
 FrictionRows readRows(const TextBlock& block, const FrictionRoles& roles,
@@ -264,6 +291,8 @@ FrictionRows readRows(const TextBlock& block, const FrictionRoles& roles,
                              rows.points.size(), rows.notes.back()));
   std::ranges::move(reader.signNotes(), std::back_inserter(rows.notes));
   if (const auto note = reader.contradiction()) rows.notes.push_back(*note);
+  if (!rows.points.empty() && roles.find(Quantity::Force) && roles.find(Quantity::Pressure))
+    rows.notes.push_back(keepPressures(rows.points, name));
   return rows;
 }
 

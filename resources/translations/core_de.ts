@@ -351,8 +351,12 @@
         <translation>hat zwei Spalten mit %1: %2 und %3</translation>
     </message>
     <message>
-        <source>has both a normal force and a nominal pressure; one of them says the load, so take the column of the other one out</source>
-        <translation>hat Normalkraft und nominellen Druck; nur eines von beiden gibt die Last an, also die Spalte des anderen weglassen</translation>
+        <source>has both a normal force and a nominal pressure, which are not those of one sample: their quotient is %1 to %2 cm²; take the column out that does not say the load</source>
+        <translation>hat Normalkraft und nominellen Druck, die nicht zu einer Probe gehören: ihr Quotient ist %1 bis %2 cm²; die Spalte weglassen, die nicht die Last angibt</translation>
+    </message>
+    <message>
+        <source>the nominal pressure says the load; the normal force, on a sample of %1 cm², is not used</source>
+        <translation>der nominelle Druck gibt die Last an; die Normalkraft, auf einer Probe von %1 cm², wird nicht verwendet</translation>
     </message>
     <message>
         <source>row %1: %2</source>

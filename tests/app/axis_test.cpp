@@ -103,6 +103,19 @@ TEST_F(AxisTest, AFamilyHasAColumnOfItsKey) {
   EXPECT_EQ(nlohmann::json::parse(json.out)["family"][2]["load.normal_force"], 0.1);
 }
 
+TEST_F(AxisTest, AFamilyHasEquation11WhereItIsNamed) {
+  const std::string family = "--set sweep.points=3 --family load.normal_force=1mN:100mN:3 ";
+  const auto picture = [&](const std::string& options) {
+    const Said said = program.run("curve s.json " + family + options + " -o a.svg");
+    EXPECT_EQ(said.status, 0) << said.err;
+    return TemporaryFolder::read(program.folder / "a.svg");
+  };
+  EXPECT_THAT(picture(""), Not(HasSubstr("Eq. (11)")));
+  EXPECT_THAT(picture("--theory eq_11"), HasSubstr("Eq. (11)"));
+  const Said json = program.run("curve s.json --json --theory eq_11 " + family);
+  EXPECT_EQ(nlohmann::json::parse(json.out)["theories"][0]["theory"], "eq_11");
+}
+
 TEST_F(AxisTest, ThePresentTableStaysAsItWas) {
   const Said said = program.run("curve s.json --set sweep.points=2");
   EXPECT_THAT(withoutComment(said.out),

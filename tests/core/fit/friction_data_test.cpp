@@ -225,10 +225,26 @@ TEST(FrictionData, SaysInWhichRowWhatIsWrong) {
               HasSubstr("no column of the coefficient of friction"));
   EXPECT_THAT(errorOf("velocity,mu,temperature\n1,0.2,20\n2,0.3,20\n"), HasSubstr("name the unit"));
   EXPECT_THAT(errorOf("velocity (furlong/h),mu\n1,0.2\n2,0.3\n"), HasSubstr("furlong/h"));
-  EXPECT_THAT(errorOf("velocity,mu,normal_force,pressure\n1,0.2,1,1\n2,0.3,1,1\n"),
-              HasSubstr("both a normal force and a nominal pressure"));
+  EXPECT_THAT(errorOf("velocity,mu,normal_force,pressure (MPa)\n1,0.2,40,0.2\n2,0.3,80,0.2\n"),
+              HasSubstr("both a normal force and a nominal pressure, which are not those of one "
+                        "sample: their quotient is 2 to 4 cm\u00B2"));
   EXPECT_THAT(errorOf("velocity,mu\n1,hello\n2,0.3\n"), HasSubstr("mine.csv"));
   EXPECT_THAT(errorOf(""), HasSubstr("mine.csv"));
+}
+
+/// Testers state the force on the whole sample and the nominal pressure, which alone can be
+/// compared with a line.
+TEST(FrictionData, TakesThePressureOfASampleWhoseForceIsGivenToo) {
+  const FrictionData data = parseFrictionData(
+      "v (m/s),Normal force (N),Friction force (N),Pressure (MPa)\n"
+      "0.01,40.2,20.1,0.2\n0.1,79.6,39.8,0.4\n1,79.9,47.94,0.4\n",
+      "mine.csv");
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(data.points[0].mu, 0.5);
+  EXPECT_DOUBLE_EQ(data.points[2].mu, 0.6);
+  EXPECT_DOUBLE_EQ(data.points[1].nominalPressure, 0.4e6);
+  EXPECT_TRUE(std::isnan(data.points[1].normalForce));
+  EXPECT_THAT(data.notes.back().english(), HasSubstr("on a sample of 2.01 cm\u00B2, is not used"));
 }
 
 /// One lost value takes no other row with it.
