@@ -341,7 +341,8 @@ void addViewOptions(CLI::App& command, ViewArguments& arguments) {
       ->type_name("FROM:TO");
   command
       .add_option(kHeights, arguments.heights,
-                  "Heights to show, in m above the undeformed surface (default: all that occur)")
+                  "Heights to show, in m above the undeformed surface (default: those in the part "
+                  "of the line that is shown; in a film, those of all that passes)")
       ->type_name("FROM:TO");
   setNumberRange(
       command.add_option(kExaggeration, arguments.exaggeration,
@@ -381,12 +382,14 @@ void checkView(const ViewArguments& arguments, ContactOverlay overlay, double le
   checkPosition(kMagnify, arguments.magnified, length);
 }
 
-void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options) {
+void applyView(const ViewArguments& arguments, const Frame& frame, bool isFilm,
+               ContactPictureOptions& options) {
   ContactView& view = options.view;
   if (!arguments.xRange.empty()) {
     const NumberRange range = rangeFrom(kView, arguments.xRange, "m");
     view.left = range.from;
     view.width = arguments.width();
+    if (!isFilm) fitToPart(frame, view);
   }
   if (arguments.coloursTo) setColourMaximum(view, options.overlay, *arguments.coloursTo);
   options.probe = arguments.probe;

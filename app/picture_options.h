@@ -120,7 +120,8 @@ void addViewOptions(CLI::App& command, ViewArguments& arguments);
 void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length);
 
 /// Applies the view to options that are otherwise complete. Parts that are not given are fitted to
-/// the frame.
-void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options);
+/// the frame; the heights to the part that is shown, or in a film to all that will pass by.
+void applyView(const ViewArguments& arguments, const Frame& frame, bool isFilm,
+               ContactPictureOptions& options);
 
 }  // namespace asperity

@@ -248,7 +248,9 @@ class Rendering {
     return composer_->compose(last_);
   }
 
-  PictureContent content() const { return {layout_, curves_.set, overlay_, command_.view}; }
+  PictureContent content() const {
+    return {layout_, curves_.set, overlay_, command_.view, kind_ != Kind::Picture};
+  }
 
   void writePicture() {
     HeadlessPictures pictures(settings_.backend);

@@ -248,7 +248,7 @@ void PictureComposer::setContact(const Frame& frame, int height) {
   contact_ = contactOptions(height);
   view_ = fittedView(frame, view_);
   contact_.view = *view_;
-  applyView(content_.view, frame, contact_);
+  applyView(content_.view, frame, content_.isFilm, contact_);
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {

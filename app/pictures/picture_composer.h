@@ -40,6 +40,7 @@ struct PictureContent {
   CurveSet curves{};  // the scene's own curve and others, for layouts that show them
   ContactOverlay overlay = ContactOverlay::Pressure;
   ViewArguments view{};
+  bool isFilm = false;  // several pictures of a line that moves
 };
 
 class PictureComposer {

@@ -56,6 +56,16 @@ TEST_F(ViewTest, APartOfTheLineIsShownBetweenItsEnds) {
   EXPECT_EQ(drawing("--view 0:0.02"), drawing(""));  // the whole period
 }
 
+TEST_F(ViewTest, HeightsAreThoseOfThePart) {
+  const auto exaggeration = [&](const std::string& arguments) {
+    const std::string shown = texts(arguments), words = "vertical exaggeration ";
+    return std::stod(shown.substr(shown.find(words) + words.size()));
+  };
+  const double whole = exaggeration("");
+  // The heights of the whole line would divide the exaggeration by ten.
+  EXPECT_GT(exaggeration("--view 4e-3:6e-3"), 1.5 * whole / 10);
+}
+
 TEST_F(ViewTest, PositionsAndTimesMayHaveUnits) {
   EXPECT_EQ(drawing("--view '4 mm:6mm'"), drawing("--view 4e-3:6e-3"));
   EXPECT_EQ(drawing("--heights -10um:10um"), drawing("--heights -1e-5:1e-5"));

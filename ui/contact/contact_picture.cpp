@@ -29,12 +29,20 @@ constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
 constexpr double kMaxLabelSpace = 0.34, kSpareSpace = 0.03;
 constexpr double kMaxPeriods = 50;
 
-/// Returns the heights of both bodies, m; 0 where there are none.
-Extent interfaceExtent(const Frame& frame) {
+/// Returns the heights of both bodies at these points of the periodic frame, m; 0 where there are
+/// none.
+Extent interfaceExtent(const Frame& frame, PointRange points) {
   Extent extent;
-  for (const std::vector<double>* heights : {&frame.lineHeight, &frame.surfaceHeight})
-    for (const double height : *heights) extent.add(height);
+  for (const std::vector<double>* heights : {&frame.lineHeight, &frame.surfaceHeight}) {
+    const std::int64_t count = std::ssize(*heights);
+    for (std::int64_t i = points.first; count > 0 && i <= points.last; ++i)
+      extent.add((*heights)[static_cast<std::size_t>((i % count + count) % count)]);
+  }
   return extent.isEmpty() ? Extent{0, 0} : extent;
+}
+
+Extent interfaceExtent(const Frame& frame) {
+  return interfaceExtent(frame, {0, std::ssize(frame.lineHeight) - 1});
 }
 
 /// Extends the range of a flat interface to the undeformed surface, or to a micrometre around it.
@@ -61,23 +69,32 @@ bool stillFits(const ContactView& view, const Extent& extent, double labelSpace)
          extent.least > view.bottom + 0.09 * usual * size;
 }
 
+/// Fits the heights of the view to those of the interface. The ends are rounded outwards, so that
+/// small changes do not move the axis.
+void fitHeights(ContactView& view, const Extent& extent, double labelSpace) {
+  const double grid = roundUp125(extent.size() / 20);
+  view.bottom = std::floor((extent.least - kSpaceBelow * extent.size()) / grid) * grid;
+  view.top = std::ceil((extent.most + spaceAbove(labelSpace) * extent.size()) / grid) * grid;
+}
+
 }  // namespace
 
 ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last,
                        double labelSpace) {
   ContactView view = last.value_or(ContactView{});
   const Extent extent = withMinimumHeight(interfaceExtent(frame));
-  if (!stillFits(view, extent, labelSpace)) {
-    // The ends are rounded outwards, so that small changes do not move the axis even without
-    // `last`.
-    const double grid = roundUp125(extent.size() / 20);
-    view.bottom = std::floor((extent.least - kSpaceBelow * extent.size()) / grid) * grid;
-    view.top = std::ceil((extent.most + spaceAbove(labelSpace) * extent.size()) / grid) * grid;
-  }
+  if (!stillFits(view, extent, labelSpace)) fitHeights(view, extent, labelSpace);
   view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
   view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
   view.power = scaleMaximum(frame, ContactOverlay::Power, view.power);
   return view;
+}
+
+void fitToPart(const Frame& frame, ContactView& view) {
+  if (!isDrawable(frame)) return;
+  const PointRange points = pointsWithin(frame, view.left, view.width);
+  if (points.count() < std::ssize(frame.lineHeight))
+    fitHeights(view, withMinimumHeight(interfaceExtent(frame, points)), 0);
 }
 
 ContactView resolvedView(const Frame& frame, const ContactView& view) {

@@ -71,6 +71,10 @@ struct ContactPictureOptions {
 ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last = {},
                        double labelSpace = 0);
 
+/// Fits the heights of a view to the part of the line that it shows, for a picture that stands
+/// still.
+void fitToPart(const Frame& frame, ContactView& view);
+
 /// Returns the part of the plot's height that the row of labels needs above the line, so that none
 /// of them has to give way to a summit; 0 where the plot is so low that it would take too much.
 double labelSpace(const Frame& frame, const ContactPictureOptions& options);

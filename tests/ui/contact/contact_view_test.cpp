@@ -70,6 +70,31 @@ TEST(ContactView, KeepsTheUsersPlace) {
   EXPECT_LT(view.bottom, view.top);
 }
 
+TEST(ContactView, FitsTheHeightsOfThePartThatIsShown) {
+  SampleOptions options;
+  options.points = 500;
+  const auto frame = sampleFrame(options);
+  const double period = frame->length;
+  const double whole = resolvedView(*frame, {}).top - resolvedView(*frame, {}).bottom;
+  for (const double left : {0.1 * period, 0.95 * period, -2.02 * period}) {
+    ContactView view{.left = left, .width = 0.05 * period};
+    fitToPart(*frame, view);
+    EXPECT_LT(view.top - view.bottom, whole);
+    Heights heights{1, -1};
+    for (int k = 0; k < 25; ++k) {
+      const double part = left / period + 0.05 * (k + 0.5) / 25;
+      const auto point = static_cast<std::size_t>(500 * (part - std::floor(part)));
+      for (const double height : {frame->lineHeight[point], frame->surfaceHeight[point]}) {
+        heights.low = std::min(heights.low, height);
+        heights.high = std::max(heights.high, height);
+      }
+    }
+    EXPECT_GT(heights.low, view.bottom) << left;
+    EXPECT_LT(heights.high, view.top) << left;
+    EXPECT_GT(heights.high - heights.low, 0.4 * (view.top - view.bottom)) << left;
+  }
+}
+
 TEST(ContactView, FlatLineHasAView) {
   for (const double depth : {0.0, 1e-6}) {
     SampleOptions options;
