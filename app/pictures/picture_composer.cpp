@@ -183,7 +183,8 @@ void PictureComposer::fitHeight(const Scene& scene) {
   if (!settings_.isOnPaper && above == 0) return;
   // The marker comes with the frame; its entry in the legend and its label are included in the
   // layout now.
-  if (const auto& points = content_.curves.present.points; !points.empty()) {
+  if (const auto& points = content_.curves.present.points;
+      settings_.style.hasMarker && !points.empty()) {
     const CurvePoint& middle = points[points.size() / 2];
     DiagramMarker marker{"this motion, now", message("v = {} m/s", middle.velocity)};
     marker.x = middle.velocity;
@@ -265,7 +266,8 @@ DiagramOptions PictureComposer::optionsFor(int height, float minTextSize) const 
 /// Returns the curve with the line, the marker at the frame's velocity, and the trace of a motion.
 DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
   DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
-  sheet.diagrams.front().marker = frameMarker(frame, content_.curves.axes, content_.curves.y);
+  if (settings_.style.hasMarker)
+    sheet.diagrams.front().marker = frameMarker(frame, content_.curves.axes, content_.curves.y);
   return sheet;
 }
 

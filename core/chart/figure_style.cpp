@@ -128,7 +128,7 @@ Message setText(FigureStyle& style, const std::string& text) {
   return {};
 }
 
-constexpr std::array<FigureOption, 18> kOptions{{
+constexpr std::array<FigureOption, 19> kOptions{{
     {"size", "WxH", "Width and height, in pixels or as 86mmx60mm (px, mm, cm, in, pt)",
      FigurePart::Picture,
      [](FigureStyle& style, const std::string& text) -> Message {
@@ -166,6 +166,8 @@ constexpr std::array<FigureOption, 18> kOptions{{
      setChoice<kLegends, &FigureStyle::legend>},
     {"footnote", "on|off", "The remark under a chart", FigurePart::Chart,
      setChoice<kOnOff, &FigureStyle::hasFootnote>},
+    {"marker", "on|off", "The mark at the state of the scene", FigurePart::Chart,
+     setChoice<kOnOff, &FigureStyle::hasMarker>},
     {"ticks", "SIDE",
      "Tick marks inside or outside of the frame, none, or auto: inside with the themes for print, "
      "else outside",
@@ -225,14 +227,25 @@ void addParts(const Message& text, std::vector<Message>& parts) {
   }
 }
 
-constexpr std::string_view kRegionsSentence = "Regions as read from the curve";
+constexpr std::string_view kRegionsSentence = "Regions as read from the curve",
+                           kCrossSentence = "Cross: the scene's own state.";
+
+/// Removes the sentence of the note that begins so.
+void leaveOutNote(DiagramSheet& sheet, std::string_view begin) {
+  std::vector<Message> parts;
+  addParts(sheet.note, parts);
+  std::erase_if(parts, [&](const Message& part) { return part.text.starts_with(begin); });
+  sheet.note = sentences(parts);
+}
 
 void leaveOutRegions(DiagramSheet& sheet) {
   for (Diagram& diagram : sheet.diagrams) diagram.spans.clear();
-  std::vector<Message> parts;
-  addParts(sheet.note, parts);
-  std::erase_if(parts, [](const Message& part) { return part.text.starts_with(kRegionsSentence); });
-  sheet.note = sentences(parts);
+  leaveOutNote(sheet, kRegionsSentence);
+}
+
+void leaveOutMarker(DiagramSheet& sheet) {
+  for (Diagram& diagram : sheet.diagrams) diagram.marker.reset();
+  leaveOutNote(sheet, kCrossSentence);
 }
 
 /// Returns the names of curves in the order of the legends: data, then theory, of each diagram;
@@ -428,6 +441,7 @@ DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style) {
   if (!style.hasTitle) sheet.title = sheet.subtitle = {};
   if (!style.title.empty()) sheet.title = Message::name(style.title);
   if (!style.hasRegions) leaveOutRegions(sheet);
+  if (!style.hasMarker) leaveOutMarker(sheet);
   if (!style.hasFootnote) sheet.note = {};
   if (!style.hasLaw)
     for (Diagram& diagram : sheet.diagrams)

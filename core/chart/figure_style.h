@@ -50,7 +50,8 @@ struct FigureStyle {
   double dotsPerInch = 0;       // 0: automatic
   double fontSize = 0;          // pt, of the numbers at the axes; 0: automatic
   double lineWidth = 0;         // pt, of curves; 0: automatic
-  bool hasTitle = true, hasRegions = true, hasLaw = true, hasFootnote = true, isGrey = false;
+  bool hasTitle = true, hasRegions = true, hasLaw = true, hasFootnote = true;
+  bool hasMarker = true, isGrey = false;
   std::string title{};  // instead of the figure's own; empty: that one
   LegendMode legend = LegendMode::Automatic;
   TickSide ticks = TickSide::Automatic;

@@ -14,6 +14,7 @@ namespace asperity {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -49,6 +50,18 @@ TEST_F(MapCommandTest, ACellIsThePointOfACurve) {
     for (const char* column : {"mu", "contact_fraction", "indentation", "mu_law", "normalized_mu"})
       EXPECT_NEAR(double(cell[column]) / double(own[column]), 1, 1e-12) << column << " " << k;
   }
+}
+
+TEST_F(MapCommandTest, TheMarkOfTheSceneMayBeLeftOut) {
+  const auto picture = [&](const std::string& options) {
+    const Said said = program.run(std::string(kMap) + " -o a.svg" + options);
+    EXPECT_EQ(said.status, 0) << said.err;
+    return read("a.svg");
+  };
+  const std::string with = picture(""), without = picture(" --marker off");
+  EXPECT_THAT(with, HasSubstr("Cross: the scene"));
+  EXPECT_THAT(without, Not(HasSubstr("Cross: the scene")));
+  EXPECT_LT(without.size(), with.size());
 }
 
 TEST_F(MapCommandTest, WritesPicturesThatBringTheirSceneBack) {
