@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/statistics.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/kernels/kernels.h"
 #include "core/contact/kernels/resolved_pass.h"
