@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/contact/complete_contact.h"
+#include "core/contact/force_balance.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/realizations.h"
 #include "core/surface/line_source.h"
