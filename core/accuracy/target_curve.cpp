@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/accuracy/row_errors.h"
+#include "core/accuracy/levels.h"
 #include "core/base/jobs.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
