@@ -9,7 +9,6 @@
 #include "core/base/jobs.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
-#include "core/friction/realizations.h"
 
 namespace asperity {
 

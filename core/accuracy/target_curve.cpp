@@ -12,7 +12,6 @@
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/line_mean.h"
-#include "core/friction/realizations.h"
 #include "core/material/element_law.h"
 
 namespace asperity {

@@ -40,7 +40,7 @@ struct SpotForces {
   double normal = 0, tangential = 0, largest = 0;  // N, N, N/m
 };
 
-SpotForces forcesOf(const Frame& frame, const ContactInterval& contact) {
+SpotForces spotForces(const Frame& frame, const ContactInterval& contact) {
   SpotForces forces;
   forEachPoint(frame, contact, [&](std::size_t i) {
     const double pressure = frame.pressure[i];
@@ -55,7 +55,7 @@ struct GapSize {
   double area = 0, largest = 0;  // m^2, m
 };
 
-GapSize sizeOf(const Frame& frame, const ContactInterval& gap) {
+GapSize gapSize(const Frame& frame, const ContactInterval& gap) {
   GapSize size;
   forEachPoint(frame, gap, [&](std::size_t i) {
     size.area += gapAt(frame, i) * frame.spacing;
@@ -71,7 +71,7 @@ struct PowerBalance {
 
 /// Returns the balance of power of a frame. In contact the elastomer has the part of Frame::power
 /// that local friction does not take.
-PowerBalance powerOf(const Frame& frame) {
+PowerBalance powerBalance(const Frame& frame) {
   PowerBalance balance;
   const double speed = std::abs(frame.velocity);
   // Friction of the steady state belongs to the line as a whole; a motion's to its last steps.
@@ -149,7 +149,7 @@ DataTable contactsTable(const Frame& frame) {
                                "mean_line_load", "largest_line_load"}),
                   {}};
   for (const ContactInterval& contact : findIntervals(frame, false)) {
-    const SpotForces forces = forcesOf(frame, contact);
+    const SpotForces forces = spotForces(frame, contact);
     table.rows.push_back({contact.start, contact.length, forces.normal, forces.tangential,
                           forces.normal / contact.length, forces.largest});
   }
@@ -159,14 +159,14 @@ DataTable contactsTable(const Frame& frame) {
 DataTable gapsTable(const Frame& frame) {
   DataTable table{columnNames({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
   for (const ContactInterval& gap : findIntervals(frame, true)) {
-    const GapSize size = sizeOf(frame, gap);
+    const GapSize size = gapSize(frame, gap);
     table.rows.push_back({gap.start, gap.length, size.area / gap.length, size.largest, size.area});
   }
   return table;
 }
 
 DataTable powerTable(const Frame& frame) {
-  const PowerBalance balance = powerOf(frame);
+  const PowerBalance balance = powerBalance(frame);
   return {columnNames({"velocity", "power_in", "power_contact", "power_free", "power_interface",
                        "power_dissipated", "power_difference"}),
           {{frame.velocity, balance.in, balance.contact, balance.free, balance.interface,
@@ -199,7 +199,7 @@ std::optional<Message> coarsePointsNote(const Frame& frame) {
 std::optional<Message> coarsePowerNote(const Frame& frame) {
   constexpr double kMaxDeviation = 0.005;
   if (frame.transient || frame.isSettling) return std::nullopt;
-  const PowerBalance balance = powerOf(frame);
+  const PowerBalance balance = powerBalance(frame);
   if (!(std::abs(balance.in) > 0)) return std::nullopt;
   const double part = balance.dissipated() / balance.in;
   if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
@@ -219,12 +219,12 @@ Json derivedNumbers(const Frame& frame) {
   const std::vector<ContactInterval> gaps = findIntervals(frame, true);
   double largestLoad = 0, longest = 0, inContact = 0, largestGap = 0, area = 0;
   for (const ContactInterval& contact : contacts) {
-    largestLoad = std::max(largestLoad, forcesOf(frame, contact).largest);
+    largestLoad = std::max(largestLoad, spotForces(frame, contact).largest);
     longest = std::max(longest, contact.length);
     inContact += contact.length;
   }
   for (const ContactInterval& gap : gaps) {
-    const GapSize size = sizeOf(frame, gap);
+    const GapSize size = gapSize(frame, gap);
     largestGap = std::max(largestGap, size.largest);
     area += size.area;
   }
@@ -254,13 +254,13 @@ PrintedNumber coefficient(double mu) {
 }
 
 /// Returns the velocity at this moment, m/s; above 0 the line moves to the right.
-double velocityOf(const Frame& frame) {
+double presentVelocity(const Frame& frame) {
   return frame.transient ? frame.velocity : frame.scene->sliding.velocity;
 }
 
 /// Returns how the rigid line moves.
 Message motionInWords(const Frame& frame) {
-  const double velocity = velocityOf(frame);
+  const double velocity = presentVelocity(frame);
   const PrintedNumber speed = printed(std::abs(velocity), "m/s");
   if (frame.transient) {
     const PrintedNumber time = printed(frame.time, "s");
@@ -296,7 +296,7 @@ Message touchInWords(const Frame& frame, const ContactState& state) {
 Message frictionInWords(const Frame& frame, const ContactState& state) {
   const bool isElastic = elementLaw(frame.scene->elastomer).kind() == ElementKind::Elastic;
   if (!(state.normalForce > 0)) return message("Without a normal force there is no friction.");
-  if (velocityOf(frame) == 0 && !frame.transient)
+  if (presentVelocity(frame) == 0 && !frame.transient)
     return message("At rest there is no friction here.");
   if (!std::isfinite(state.mu))
     return message("Friction cannot be read here: elements or time steps are too coarse for it.");
