@@ -8,7 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/named_choices.h"
-#include "core/run/contact_tables.h"
+#include "core/run/contact_report.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"

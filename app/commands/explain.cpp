@@ -9,7 +9,7 @@
 #include "core/accuracy/explanation.h"
 #include "core/base/text.h"
 #include "core/friction/parameter_map.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/run/motion_accuracy.h"
 #include "core/scene/scene_check.h"
 #include "ui/language/language.h"

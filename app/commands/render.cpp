@@ -17,7 +17,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
-#include "core/run/contact_tables.h"
+#include "core/run/contact_report.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/surface/line_source.h"

@@ -12,7 +12,7 @@
 #include "core/chart/curve_regions.h"
 #include "core/chart/material_sheets.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/scene/list_text.h"
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"

@@ -5,14 +5,13 @@
 #include <limits>
 #include <optional>
 
-#include "core/accuracy/row_errors.h"
+#include "core/accuracy/levels.h"
 #include "core/base/jobs.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/line_mean.h"
-#include "core/friction/realizations.h"
 #include "core/material/element_law.h"
 
 namespace asperity {

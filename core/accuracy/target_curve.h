@@ -56,8 +56,8 @@ struct TargetPlan {
 TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {},
                       const Profile* profile = nullptr);
 
-/// Number of lines in the pilot, and the maximum at one velocity and level in a run.
-inline constexpr std::int64_t kPilotLines = 2 * kMinDirect, kMaxLines = 1000000;
+/// The maximum number of lines at one velocity and level in a run.
+inline constexpr std::int64_t kMaxLines = 1000000;
 
 /// Returns whether the body is elastic and dissipates nothing: its friction is a rounding error,
 /// and an error relative to it has no meaning. A curve with a target then has an interval around 0.

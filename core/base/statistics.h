@@ -1,5 +1,5 @@
 // Numbers with errors, and numbers that are not known; means, medians and quantiles of a few
-// numbers, and Student's distribution. Pure; any thread.
+// numbers, and the distributions of Gauss and Student. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -70,6 +70,16 @@ inline double quantile(std::span<const double> ascending, double part) {
   const auto below = static_cast<std::size_t>(rank);
   const std::size_t above = std::min(below + 1, ascending.size() - 1);
   return std::lerp(ascending[below], ascending[above], rank - static_cast<double>(below));
+}
+
+/// Returns the density of the standard normal distribution.
+inline double normalDensity(double x) {
+  return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi);
+}
+
+/// Returns the probability that a standard normal quantity is below x.
+inline double normalProbability(double x) {
+  return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
 /// Returns the upper median of ratios of two statements of one quantity where they contradict each

@@ -16,7 +16,7 @@
 #include "core/friction/curve_point.h"
 #include "core/friction/curve_quantity.h"
 #include "core/friction/steady_states.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/chart/curve_regions.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

@@ -1,8 +1,12 @@
 // The indentation at which a steadily sliding resolved line carries a given force. F_N(d) rises and
 // is convex, and in logarithms it is nearly straight: safeguarded Newton steps in ln d over ln F_N,
-// from the second pass on with the cubic through the last two passes. Nodal lines jump instead:
-// kernels/nodal_balance.h.
+// from the second pass on with the cubic through the last two passes. Complete contact and the line
+// at rest need no search for edges of contact. Nodal lines jump instead: kernels/nodal_balance.h.
+// Functions of their arguments, for elements without arms; any thread; no allocation.
+// relaxationLength: c = v tau (m). load = F_N / 4G (m^2, > 0).
 #pragma once
+
+#include <stop_token>
 
 #include "core/contact/kernels/pass.h"
 #include "core/contact/line/prepared_profile.h"
@@ -27,7 +31,7 @@ struct Balance {
 /// value; no allocation.
 class ForceBalance {
  public:
-  /// load = F_N / 4G (m^2, > 0). guess: a depth near the answer (m), or 0.
+  /// guess: a depth near the answer (m), or 0.
   void start(const PreparedProfile& line, double load, double guess);
 
   bool isDone() const { return done_; }
@@ -59,8 +63,30 @@ class ForceBalance {
   bool done_ = false, triedComplete_ = false;
 };
 
-/// Solves the balance with plain passes. load = F_N / 4G (m^2, > 0). relaxationLength: c = v tau
-/// (m).
+/// Solves the balance with plain passes.
 Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load);
+
+// ---- Contact from the bounds over blocks of a line: whether it is complete, depth and friction in
+// complete contact (Li et al. 2013, Eqs. 3 and 8, of the resolved line), and the indentation at
+// rest. Complete contact is not guessed: where the bounds do not prove it, the segments themselves
+// are examined.
+/// Returns whether the pressure is above 0 along the whole line at this depth (m). It is fast in
+/// clear cases.
+bool isContactComplete(const PreparedProfile& line, double depth, double relaxationLength);
+
+/// Returns the depth (m) above which contact is complete: max(z + c dz/ds).
+double completeAbove(const PreparedProfile& line, double relaxationLength);
+
+/// Returns the depth (m) at which complete contact carries a load.
+inline double completeContactDepth(const PreparedProfile& line, double load) {
+  return load / line.length + line.meanHeight;
+}
+
+/// Returns the sums of a pass in complete contact at that depth.
+PassSums completeContactSums(const PreparedProfile& line, double depth, double relaxationLength);
+
+/// Returns a depth (m) close to the one that carries the load at rest. Sliding
+/// carries more. Where `stop` is requested, it soon returns any depth.
+double depthAtRest(const PreparedProfile& line, double load, const std::stop_token& stop = {});
 
 }  // namespace asperity

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/statistics.h"
-#include "core/contact/complete_contact.h"
+#include "core/contact/force_balance.h"
 #include "core/contact/kernels/kernels.h"
-#include "core/contact/kernels/resolved_pass.h"
+#include "core/contact/kernels/pass.h"
 #include "core/material/element_law.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/plan.h"

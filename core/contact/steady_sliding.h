@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/base/input_error.h"
+#include "core/base/statistics.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/kernels/nodal_balance.h"
 #include "core/contact/kernels/pass.h"
@@ -33,13 +34,20 @@ struct SlidingConditions {
   SlidingConditions at(double other) const { return {shearModulus, relaxationTime, other}; }
 };
 
-struct SteadyResult {
+/// Forces and contact of one line at one time.
+struct ContactState {
+  double indentation = 0;      // m, d above the line's lowest point
+  double normalForce = 0;      // N
+  double tangentialForce = 0;  // N, magnitude along the motion
+  double contactFraction = 0;  // L_cont / L
+  double mu = kNaN;            // NaN where the time steps or elements are too coarse to read it
+  double muInterface = 0;      // of local friction, in addition to mu, which is of the deformation
+};
+
+/// The state in steady sliding. For resolved lines the tangential force is that of the dissipated
+/// power, for nodal ones that of Eq. (4).
+struct SteadyResult : ContactState {
   SteadyStatus status = SteadyStatus::Balanced;
-  double indentation = 0;        // m, from the lowest point of the line
-  double normalForce = 0;        // N
-  double tangentialForce = 0;    // N; resolved lines: from the dissipated power; nodal: Eq. (4)
-  double mu = 0;                 // tangential over normal force
-  double contactFraction = 0;    // L_cont / L
   double contactSpots = 0;       // number in one period
   double rmsSlopeContact = 0;    // NaN without contact
   double powerIn = 0;            // W, pressure times the line's slope times v, over contact
@@ -50,8 +58,7 @@ struct SteadyResult {
   int passes = 0;
   double residual = 0;          // |F_N - target| / target; with arms also of their periodicity
   double periodicityError = 0;  // elements with arms: relative change over a period
-  double depthAtRest = 0;  // m, approximate, under that force; only in sweeps over resolved lines
-  double muInterface = 0;  // of local friction, in addition to mu, which belongs to the deformation
+  double depthAtRest = 0;   // m, approximate, under that force; only in sweeps over resolved lines
   double rmsSlopeLine = 0;  // of the whole line; in realizations, whose slopes may differ
 };
 

@@ -2,7 +2,7 @@
 
 #include "core/base/input_error.h"
 #include "core/contact/arms/arm_guess.h"
-#include "core/contact/complete_contact.h"
+#include "core/contact/force_balance.h"
 #include "core/contact/steady_sweep.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/plan.h"

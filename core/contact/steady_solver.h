@@ -1,6 +1,6 @@
 // Steady sliding of a scene on any of its lines. SteadySolver chooses the computation by the
 // elastomer: elements with Maxwell arms go to arms/arm_balance.h, elastic and Kelvin elements to
-// sweep.h (many velocities) or steady_sliding.h (one), which choose the kernel by the line's
+// steady_sweep.h (many velocities) or steady_sliding.h (one), which choose the kernel by the line's
 // scheme. It adds local friction where the scene has some. Threading: const members may be called
 // by several threads at once. Failure: the constructor throws InputError where the scene's effects
 // exclude each other or it has no steady state; afterwards `status` of a result tells its quality.

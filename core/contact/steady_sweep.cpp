@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/base/flush_denormals.h"
-#include "core/contact/complete_contact.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/kernels/kernels.h"
 #include "core/contact/kernels/nodal_balance.h"
@@ -74,15 +73,7 @@ double InitialGuess::fromForces(std::size_t row, std::size_t column) const {
     y[rows] = excess(row - 1 - rows, column);
     ++rows;
   }
-  const double to = std::log(forces[row]);
-  double sum = 0;
-  for (std::size_t i = 0; i < rows; ++i) {
-    double share = y[i];
-    for (std::size_t k = 0; k < rows; ++k)
-      if (k != i) share *= (to - x[k]) / (x[i] - x[k]);
-    sum += share;
-  }
-  return sum;
+  return lagrangePolynomial({x, rows}, {y, rows}, std::log(forces[row]));
 }
 
 double InitialGuess::guess(std::size_t row, std::size_t column) const {

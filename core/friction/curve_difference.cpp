@@ -6,7 +6,6 @@
 
 #include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/realizations.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_check.h"
 #include "core/surface/line_source.h"

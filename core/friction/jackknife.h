@@ -17,7 +17,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
-#include "core/friction/realizations.h"
+#include "core/friction/ensemble.h"
 #include "core/friction/steady_states.h"
 #include "core/scene/scene.h"
 #include "core/surface/line_source.h"

@@ -7,7 +7,7 @@
 
 #include "core/contact/steady_sliding.h"
 #include "core/friction/excitation.h"
-#include "core/friction/realizations.h"
+#include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"
 

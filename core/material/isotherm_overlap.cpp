@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "core/base/input_error.h"
@@ -28,7 +27,7 @@ double rarityOfMeanSquare(double meanSquare, double count, double degreesOfFreed
                ofFreedom = 2 / (9 * degreesOfFreedom);
   const double normal =
       ((1 - ofFreedom) * root - (1 - ofCount)) / std::sqrt(ofFreedom * root * root + ofCount);
-  return 0.5 * std::erfc(normal / std::numbers::sqrt2);
+  return normalProbability(-normal);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/friction/jackknife.h"
-#include "core/friction/realizations.h"
+#include "core/friction/ensemble.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

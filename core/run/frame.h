@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "core/contact/steady_sliding.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
 #include "core/scene/scene.h"
@@ -30,31 +31,16 @@ struct FrameFields {
   }
 };
 
-/// Forces and contact at one time.
-struct ContactState {
-  double indentation = 0;      // m, d above the line's lowest point
-  double normalForce = 0;      // N
-  double tangentialForce = 0;  // N, magnitude along the motion
-  double contactFraction = 0;
-  double mu = kNotApplicable;  // NaN where the time steps or elements are too coarse to read it
-  double muInterface = 0;      // of local friction, in addition to mu
-};
-
 /// One sample of a motion that is not steady: means over the steps since the previous sample.
-struct TransientSample {
-  double time = 0;         // s, at its end
-  double velocity = 0;     // m/s, mean; below 0 the line moves backwards
-  double distance = 0;     // m, slid so far
-  double indentation = 0;  // m
-  double normalForce = 0;  // N
-  /// N, integral of p z' dx = -F_x: it has the sign of the velocity where it resists. Defined also
-  /// at rest, while contact is still one-sided.
-  double tangentialForce = 0;
-  double mu = kNotApplicable;  // magnitude of friction over normal force; NaN without normal force
+/// Here the tangential force has a sign: it is the integral of p z' dx = -F_x, with the sign of the
+/// velocity where it resists, also at rest while contact is still one-sided. mu is its magnitude
+/// over the normal force, NaN without one; muInterface is 0 at rest.
+struct TransientSample : ContactState {
+  double time = 0;                  // s, at its end
+  double velocity = 0;              // m/s, mean; below 0 the line moves backwards
+  double distance = 0;              // m, slid so far
   double muError = kNotApplicable;  // estimated discretization error; NaN where it is unknown
-  double muInterface = 0;           // of local friction, 0 at rest
   double powerDissipated = 0;       // W, in the dashpots of all elements
-  double contactFraction = 0;
   double contactSpots = 0;
   double contactLength = 0;  // m, mean of one contact spot
   /// 1/s, rate at which friction is expected to relax: 1 / tau + |v| / contactLength. Exact to

@@ -144,7 +144,7 @@ class MotionMeans {
   }
 
  private:
-  static constexpr std::array kMeans{
+  static constexpr std::array<double TransientSample::*, 5> kMeans{
       &TransientSample::velocity, &TransientSample::mu, &TransientSample::contactFraction,
       &TransientSample::contactLength, &TransientSample::predictedRate};
   struct Part {
@@ -199,7 +199,7 @@ class MotionEnvelope {
  private:
   // more than the width of a usual picture in pixels
   static constexpr std::int64_t kStrokes = 1500;
-  static constexpr std::array kDrawn{
+  static constexpr std::array<double TransientSample::*, 6> kDrawn{
       &TransientSample::velocity,      &TransientSample::mu,
       &TransientSample::indentation,   &TransientSample::contactFraction,
       &TransientSample::contactLength, &TransientSample::predictedRate};

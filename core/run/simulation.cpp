@@ -453,7 +453,7 @@ Frame Simulation::marchedFrame() const {
 
 /// Sets all results to those of the steady state; the march adds its own friction.
 void Simulation::addSteady(Frame& frame) const {
-  frame.state = contactState(ready_->steady.result);
+  frame.state = ready_->steady.result;
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   if (frame.velocity == 0) frame.muMarch = 0;  // nothing is worked, also while the contact relaxes
   // On the way there, the points of the picture still bear the load.
@@ -513,12 +513,8 @@ void Simulation::addMotion(Frame& frame) const {
     if (state.normalForce > 0) state.mu = state.tangentialForce / state.normalForce;
     if (frame.velocity != 0) state.muInterface = frictionOfInterface(frame, state);
   } else {
-    const TransientSample& now = samples.back();
-    state = {.normalForce = now.normalForce,
-             .tangentialForce = std::abs(now.tangentialForce),
-             .contactFraction = now.contactFraction,
-             .mu = now.mu,
-             .muInterface = now.muInterface};
+    state = samples.back();
+    state.tangentialForce = std::abs(state.tangentialForce);
     frame.muError = recentError(samples);
   }
   state.indentation = march().indentation();

@@ -11,7 +11,7 @@
 
 #include "core/contact/march/time_march.h"
 #include "core/run/frame.h"
-#include "core/run/played_motion.h"
+#include "core/run/transient.h"
 
 namespace asperity {
 

@@ -50,11 +50,6 @@ std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen
 
 }  // namespace
 
-ContactState contactState(const SteadyResult& result) {
-  return {result.indentation,     result.normalForce, result.tangentialForce,
-          result.contactFraction, result.mu,          result.muInterface};
-}
-
 double greatestPressure(const SteadyShape& shape, double spacing, double normalForce) {
   constexpr double kMin = 0.1;  // of the normal force
   const std::vector<double>& pressure = shape.nodes.pressure;
@@ -79,7 +74,7 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
   for (double& height : frame.surfaceHeight) height = -height;
   for (const double height : line.height)
     frame.lineHeight.push_back(height - profile.lowestHeight - shown.result.indentation);
-  frame.state = contactState(facts);
+  frame.state = facts;
   frame.steadyPressure = greatestPressure(shape, line.spacing, shown.result.normalForce);
   frame.rmsHeight = line.rmsHeight;
   frame.rmsSlope = line.rmsSlope;

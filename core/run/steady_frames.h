@@ -13,9 +13,6 @@
 
 namespace asperity {
 
-/// Returns the forces, contact and friction of this steady state.
-ContactState contactState(const SteadyResult& result);
-
 /// Returns the greatest line load of a steady shape, N/m. NaN where its points bear less than a
 /// tenth of the normal force, since contact lies between them: their pressures are then far below
 /// those of the contact.

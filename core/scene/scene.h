@@ -118,7 +118,7 @@ struct Sweep {
   bool operator==(const Sweep&) const = default;
 };
 
-/// The theories that may be drawn beside a friction curve (core/friction/theories/theory.h).
+/// The theories that may be drawn beside a friction curve (core/friction/theory_curve.h).
 enum class Theory { Eq11, GaussianFoundation, CompleteContact, PerssonHalfSpace };
 
 /// A table of measured friction (core/fit/friction_data.h).

@@ -16,8 +16,8 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
-#include "core/study/sobol_sequence.h"
 #include "core/study/study_axes.h"
+#include "core/study/study_space.h"
 
 namespace asperity {
 namespace {

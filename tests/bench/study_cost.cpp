@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/friction/realizations.h"
+#include "core/friction/ensemble.h"
 #include "core/study/study_run.h"
 #include "core/study/study_table.h"
 

@@ -2,7 +2,7 @@
 """Writes persson_half_space.csv: Persson's theory of rubber friction by plain quadrature.
 
 J. Chem. Phys. 115, 3840 (2001), with the prefactors and the correction S of measured friction that
-core/friction/theories/persson_half_space.h names. Nothing here is shared with the program: the
+core/friction/theories.h names. Nothing here is shared with the program: the
 spectrum is a function of q instead of a list of waves, the integral over the direction is a sum
 over 720 directions instead of a closed form, g(q) is integrated along ln q by the midpoint rule.
 """

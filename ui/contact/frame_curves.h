@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/run/contact_state.h"
+#include "core/run/contact_report.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/scene/list_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

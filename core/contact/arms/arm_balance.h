@@ -23,7 +23,6 @@
 #include "core/contact/arms/arm_coefficients.h"
 #include "core/contact/arms/arm_kernel.h"
 #include "core/contact/arms/arm_pass.h"
-#include "core/contact/arms/arm_vectors.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/line/prepared_profile.h"
 #include "core/contact/steady_sliding.h"

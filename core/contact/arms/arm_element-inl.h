@@ -1,7 +1,7 @@
 // This file has one element with arms whose arms (or modes) lie in the lanes of vectors: the
 // strains in contact, the amplitudes of the free surface, and what both add to the sums. The kernel
-// of arm_kernel-inl.h finds where contact begins and ends. arm_pass.h and arm_events.cpp have the
-// same in plain form. The file is compiled once per instruction set.
+// of arm_kernel-inl.h finds where contact begins and ends. ArmPass has the same in plain form. The
+// file is compiled once per instruction set.
 
 #if defined(ASPERITY_ARM_ELEMENT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARM_ELEMENT_INL
@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/contact/arms/arm_coefficients.h"
 #include "core/contact/arms/arm_decay-inl.h"
-#include "core/contact/arms/arm_vectors.h"
 #include "core/contact/line/polynomial.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include "core/contact/line/polynomial.h"
 
 namespace asperity {
 
@@ -41,16 +44,8 @@ double ArmGuess::strainAt(const Known& known, double relaxationLength) const {
   }
   const std::size_t window = std::min<std::size_t>(count, 4);
   const std::size_t first = std::min(next > 1 ? next - 2 : 0, count - window);
-  const std::size_t end = first + window;
-  const double logTau = std::log(tau);
-  double sum = 0;
-  for (std::size_t i = first; i < end; ++i) {
-    double share = strain[i];
-    for (std::size_t k = first; k < end; ++k)
-      if (k != i) share *= (logTau - logTime_[k]) / (logTime_[i] - logTime_[k]);
-    sum += share;
-  }
-  return sum;
+  return lagrangePolynomial(std::span(logTime_).subspan(first, window),
+                            std::span(strain).subspan(first, window), std::log(tau));
 }
 
 const ArmBalance* ArmGuess::at(double velocity) {

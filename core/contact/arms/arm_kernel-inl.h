@@ -1,5 +1,5 @@
 // This file has the pass of arm_pass.h with the arms in the lanes of vectors: it finds where
-// contact begins and ends along the line. The algorithm is that of arm_pass.cpp and arm_events.cpp,
+// contact begins and ends along the line. The algorithm is that of arm_pass.cpp,
 // with three differences. Contact moves on in batches of segments, one segment in each lane where
 // all of them are judged at once. Roots are searched from the cubic through the values and slopes
 // at both ends, so that few evaluations of all arms are needed. Inside a free segment only the

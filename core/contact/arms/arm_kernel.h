@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "core/contact/arms/arm_vectors.h"
+#include "core/contact/arms/arm_coefficients.h"
 #include "core/contact/kernels/pass.h"
 #include "core/contact/line/prepared_profile.h"
 

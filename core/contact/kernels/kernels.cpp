@@ -6,10 +6,11 @@
 #define HWY_TARGET_INCLUDE "core/contact/kernels/kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// This include comes after it, as Highway requires.
+// These includes come after it, as Highway requires.
 #include "core/base/flush_denormals.h"
 #include "core/contact/kernels/cubic_kernel-inl.h"
 #include "core/contact/kernels/linear_kernel-inl.h"
+#include "core/contact/kernels/nodal_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity {
@@ -25,6 +26,29 @@ bool linearPass(const PreparedProfile& line, const PassRequest& request, const P
   return LinearKernel(line, request).run(queue, sums);
 }
 
+using Lanes8 = hn::CappedTag<double, kMaxLanes>;
+using OneLane = hn::CappedTag<double, 1>;
+
+void nodalLanesForce(const PreparedProfile& line, const double* depth, const double* length,
+                     NodalState* states) {
+  NodalKernel<Lanes8, Output::Force>(line, depth, length).run(states);
+}
+void nodalLanes(const PreparedProfile& line, const double* depth, const double* length,
+                NodalState* states) {
+  NodalKernel<Lanes8, Output::Everything>(line, depth, length).run(states);
+}
+void nodalOneLane(const PreparedProfile& line, double depth, double length, NodalState& state,
+                  NodeShape* shape) {
+  if (shape)
+    NodalKernel<OneLane, Output::Everything, true>(line, &depth, &length, shape).run(&state);
+  else
+    NodalKernel<OneLane, Output::Everything>(line, &depth, &length).run(&state);
+}
+
+std::size_t lanes() {
+  return hn::Lanes(Lanes8());
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace asperity
 HWY_AFTER_NAMESPACE();
@@ -34,6 +58,9 @@ namespace asperity {
 
 HWY_EXPORT(cubicPasses);
 HWY_EXPORT(linearPass);
+HWY_EXPORT(nodalLanesForce);
+HWY_EXPORT(nodalLanes);
+HWY_EXPORT(lanes);
 
 void runCubicPasses(const PreparedProfile& line, PassQueue& queue) {
   const FlushDenormals flush(Traps::None);
@@ -46,6 +73,43 @@ void runLinearPasses(const PreparedProfile& line, PassQueue& queue) {
   PassSums sums;
   for (bool goOn = queue.begin(0, request); goOn; goOn = queue.next(0, sums, request))
     if (!HWY_DYNAMIC_DISPATCH(linearPass)(line, request, queue, sums)) return;
+}
+
+namespace {
+
+/// Completes the result of a nodal kernel at a depth.
+void finish(NodalState& state, double depth, double spacing) {
+  state.depth = depth;
+  state.sums.stiffness = state.sums.contactLength = state.loaded * spacing;
+}
+
+}  // namespace
+
+NodalState nodalPass(const PreparedProfile& line, double depth, double relaxationLength,
+                     NodeShape* shape) {
+  const FlushDenormals flush(Traps::None);
+  NodalState state;
+  HWY_STATIC_DISPATCH(nodalOneLane)(line, depth, relaxationLength, state, shape);
+  finish(state, depth, line.spacing);
+  return state;
+}
+
+std::size_t laneCount() {
+  return HWY_DYNAMIC_DISPATCH(lanes)();
+}
+
+void nodalLanePass(const PreparedProfile& line, const LaneValues& depth,
+                   const LaneValues& relaxationLength, Output output,
+                   std::array<NodalState, kMaxLanes>& states) {
+  const FlushDenormals flush(Traps::None);
+  if (output == Output::Force) {
+    HWY_DYNAMIC_DISPATCH(nodalLanesForce)
+    (line, depth.data(), relaxationLength.data(), states.data());
+  } else {
+    HWY_DYNAMIC_DISPATCH(nodalLanes)(line, depth.data(), relaxationLength.data(), states.data());
+  }
+  for (std::size_t lane = 0; lane < kMaxLanes; ++lane)
+    finish(states[lane], depth[lane], line.spacing);
 }
 
 namespace {

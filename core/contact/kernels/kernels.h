@@ -1,6 +1,6 @@
 // The passes that are compiled for several instruction sets, of which the best one of the machine
 // is chosen at run time. core/contact/steady_sweep.cpp chooses among the passes by the scheme of
-// the line. Results agree with the readable resolved_pass.h to rounding, and differ in the last
+// the line. Results agree with the readable resolvedPass to rounding, and differ in the last
 // digits between instruction sets. Functions of their arguments; any thread. No allocation.
 #pragma once
 

@@ -189,7 +189,7 @@ class NodalKernel {
       member(states[lane]) = hn::ExtractLane(value, lane);
   }
 
-  /// Writes the results; finish() in nodal_kernel.cpp adds depth and the lengths in contact.
+  /// Writes the results; finish() in kernels.cpp adds depth and the lengths in contact.
   HWY_INLINE void store(NodalState* states) const {
     const V dx = set(line_.spacing);
     give(loaded_, states, [](NodalState& s) -> double& { return s.loaded; });

@@ -1,13 +1,14 @@
-// One steady pass over a prepared profile at one indentation: its request and its result. All sums
-// are divided by 4G, so that they are lengths and areas only: multiply them by 4G (Pa) to get
-// forces (N). Plain values and an interface; a queue belongs to one run of passes and to its
-// thread.
+// One steady pass over a prepared profile at one indentation: its request, its result, and its
+// readable form, with which the vector kernels of kernels.h are compared. All sums are divided by
+// 4G, so that they are lengths and areas only: multiply them by 4G (Pa) to get forces (N). Plain
+// values, pure functions and an interface; a queue belongs to one run of passes and to its thread.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "core/base/statistics.h"
+#include "core/contact/line/prepared_profile.h"
 
 namespace asperity {
 
@@ -58,5 +59,19 @@ class PassQueue {
   /// Returns whether all passes have to end at once; it is called often, also inside passes.
   virtual bool isStopped() const = 0;
 };
+
+/// Runs one pass over a resolved line (linear or cubic segments) in steady sliding: the running
+/// maximum with exponential decay of the paper's foundation, with every contact edge inside a
+/// segment. O(n), no iteration, no time stepping.
+///
+/// Kelvin elements in the rigid line's frame, y = -u, c = v tau: in contact y = w(s) = d - z and
+/// p / 4G = w + c w', z the height above the line's lowest point; free y decays as exp(-s / c).
+/// Contact holds while (w e^(s/c))' > 0, so y e^(s/c) is the running maximum of w e^(s/c)
+/// (Li et al. 2013, Eqs. 1 and 2, without a grid).
+///
+/// depth: indentation below the lowest point (m, > 0). relaxationLength: c = v tau
+/// (m, >= 0). shape: filled if not null.
+PassSums resolvedPass(const PreparedProfile& line, double depth, double relaxationLength,
+                      Output output = Output::Everything, NodeShape* shape = nullptr);
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
 // One step of the cubic kernel: every lane computes the next piece of its own segment on which the
-// pressure p is monotone. resolved_pass.cpp has the same events in plain form, with the same names.
+// pressure p is monotone. pass.cpp has the same events in plain form, with the same names.
 // Compiled once per instruction set.
 
 #if defined(ASPERITY_SEGMENT_STEP_INL) == defined(HWY_TARGET_TOGGLE)

@@ -1,10 +1,12 @@
-// Cubic polynomials on [0, 1], including Hermite's, and the bracketed roots that the contact
-// kernels need. Pure functions.
+// Cubic polynomials on [0, 1], including Hermite's, Lagrange's polynomial, and the bracketed roots
+// that the contact kernels need. Pure functions.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace asperity {
 
@@ -55,6 +57,18 @@ struct HermiteSlopeWeights {
 };
 inline HermiteSlopeWeights hermiteSlopeWeights(double t) {
   return {6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)};
+}
+
+/// Returns the value at a place of Lagrange's polynomial through points of different x.
+inline double lagrangePolynomial(std::span<const double> x, std::span<const double> y, double at) {
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double term = y[i];
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (k != i) term *= (at - x[k]) / (x[i] - x[k]);
+    sum += term;
+  }
+  return sum;
 }
 
 /// A vector of at most `Capacity` numbers, here in ascending order, without allocation.

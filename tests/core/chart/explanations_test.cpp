@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/friction/curve_quantity.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

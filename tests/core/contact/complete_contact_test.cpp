@@ -1,12 +1,12 @@
 // Complete contact: its limit, and that leaving the search out changes nothing (Eqs. 3 and 8).
-#include "core/contact/complete_contact.h"
+#include "core/contact/force_balance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/contact/kernels/resolved_pass.h"
+#include "core/contact/kernels/pass.h"
 #include "core/contact/steady_solver.h"
 #include "core/contact/steady_sweep.h"
 #include "core/scene/plan.h"

@@ -11,7 +11,6 @@
 #include "core/base/input_error.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/realizations.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
-#include "core/contact/complete_contact.h"
+#include "core/contact/force_balance.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"

@@ -10,10 +10,8 @@
 #include <vector>
 
 #include "core/friction/ensemble.h"
-#include "core/friction/theories/gaussian_foundation.h"
-#include "core/friction/theories/line_spectrum.h"
-#include "core/friction/theories/persson_half_space.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theories.h"
+#include "core/friction/theory_curve.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/small_scene.h"
 

@@ -167,8 +167,10 @@ TEST(MotionTable, ThePictureOfALineShowsThePeaksOfAllSteps) {
   const auto& rows = table.lines[0];
   ASSERT_GT(rows.size(), 4000U);
   EXPECT_LT(table.drawn.size(), 4000U);
-  for (const auto member : {&TransientSample::mu, &TransientSample::velocity,
-                            &TransientSample::indentation, &TransientSample::contactFraction}) {
+  using Member = double TransientSample::*;
+  for (const Member member :
+       {Member{&TransientSample::mu}, Member{&TransientSample::velocity},
+        Member{&TransientSample::indentation}, Member{&TransientSample::contactFraction}}) {
     const auto value = [member](const TransientSample& sample) { return sample.*member; };
     EXPECT_EQ(std::ranges::max(table.drawn, {}, value).*member,
               std::ranges::max(rows, {}, value).*member);

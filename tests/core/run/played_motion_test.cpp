@@ -1,4 +1,4 @@
-#include "core/run/played_motion.h"
+#include "core/run/transient.h"
 
 #include <gtest/gtest.h>
 

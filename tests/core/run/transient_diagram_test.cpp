@@ -31,6 +31,9 @@ struct Extent {
   double low = INFINITY, high = -INFINITY;
 };
 
+/// A member of samples, and the minimum span of its axis.
+using Floor = std::pair<double TransientSample::*, double>;
+
 Extent extentOf(const std::vector<TransientSample>& samples, double TransientSample::*member) {
   Extent extent;
   for (const TransientSample& sample : samples) {
@@ -44,9 +47,9 @@ TEST(StripRange, ARippleOfOneNodeStaysSmall) {
   const auto samples = transientSamples(slowParabola(), 200);
   const MinimumSpan floors = minimumSpan(samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
-       {std::pair{&TransientSample::mu, floors.friction},
-        std::pair{&TransientSample::indentation, floors.indentation},
-        std::pair{&TransientSample::contactLength, floors.contactLength}}) {
+       {Floor{&TransientSample::mu, floors.friction},
+        Floor{&TransientSample::indentation, floors.indentation},
+        Floor{&TransientSample::contactLength, floors.contactLength}}) {
     const Extent ripple = extentOf(samples, member);
     const AxisEnds ends = axisEnds(ripple.low, ripple.high, floor);
     EXPECT_LT(ripple.high - ripple.low, 0.4 * (ends.to - ends.from)) << floor;
@@ -60,9 +63,8 @@ TEST(StripRange, WhatIsMoreThanARippleFillsItsStrip) {
   scene.sliding.velocityAfter = 0.55;
   const auto samples = transientSamples(scene, 200);
   const MinimumSpan floors = minimumSpan(samples, 1e-5, 0.04);
-  for (const auto& [member, floor] :
-       {std::pair{&TransientSample::mu, floors.friction},
-        std::pair{&TransientSample::indentation, floors.indentation}}) {
+  for (const auto& [member, floor] : {Floor{&TransientSample::mu, floors.friction},
+                                      Floor{&TransientSample::indentation, floors.indentation}}) {
     const Extent change = extentOf(samples, member);
     const AxisEnds ends = axisEnds(change.low, change.high, floor);
     EXPECT_NEAR((change.high - change.low) / (ends.to - ends.from), 1 / 1.24, 1e-9);

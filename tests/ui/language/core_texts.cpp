@@ -18,7 +18,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/material/material_summary.h"
 #include "core/paper/figure.h"
 #include "core/run/line_diagrams.h"

@@ -10,7 +10,7 @@
 #include <QStringList>
 #include <QVBoxLayout>
 
-#include "core/run/contact_state.h"
+#include "core/run/contact_report.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/window/contact/contact_canvas.h"

@@ -1,4 +1,4 @@
-// The state of the contact in words (core/run/contact_state.h) in a small window: screen readers
+// The state of the contact in words (core/run/contact_report.h) in a small window: screen readers
 // read it when it opens, and it can be copied. It describes the moment at which it was requested;
 // another request updates it. Qt 6.4 has no accessible announcements, so the text is also the
 // accessible description of the picture. GUI thread; owned by its parent.

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 #include "core/scene/list_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

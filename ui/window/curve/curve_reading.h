@@ -5,7 +5,7 @@
 #include <QString>
 #include <optional>
 
-#include "core/run/contact_state.h"
+#include "core/run/contact_report.h"
 #include "core/run/runner.h"
 
 namespace asperity {

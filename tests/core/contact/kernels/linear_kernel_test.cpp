@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "core/contact/complete_contact.h"
-#include "core/contact/kernels/resolved_pass.h"
+#include "core/contact/force_balance.h"
+#include "core/contact/kernels/pass.h"
 #include "core/surface/line.h"
 #include "tests/core/contact/fixed_depths.h"
 #include "tests/core/contact/instruction_sets.h"

@@ -1,4 +1,4 @@
-#include "core/contact/kernels/resolved_pass.h"
+#include "core/contact/kernels/pass.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/friction/theories/theory.h"
+#include "core/friction/theory_curve.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,7 @@
 
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
-#include "core/friction/theories/gaussian_foundation.h"
-#include "core/friction/theories/line_spectrum.h"
-#include "core/friction/theories/persson_half_space.h"
+#include "core/friction/theories.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {

@@ -1,14 +1,17 @@
-#include "core/run/contact_tables.h"
+#include "core/run/contact_report.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/chart/curve_regions.h"
 #include "core/contact/steady_sliding.h"
+#include "core/material/element_law.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -37,7 +40,7 @@ struct SpotForces {
   double normal = 0, tangential = 0, largest = 0;  // N, N, N/m
 };
 
-SpotForces forcesOf(const Frame& frame, const ContactInterval& contact) {
+SpotForces spotForces(const Frame& frame, const ContactInterval& contact) {
   SpotForces forces;
   forEachPoint(frame, contact, [&](std::size_t i) {
     const double pressure = frame.pressure[i];
@@ -52,7 +55,7 @@ struct GapSize {
   double area = 0, largest = 0;  // m^2, m
 };
 
-GapSize sizeOf(const Frame& frame, const ContactInterval& gap) {
+GapSize gapSize(const Frame& frame, const ContactInterval& gap) {
   GapSize size;
   forEachPoint(frame, gap, [&](std::size_t i) {
     size.area += gapAt(frame, i) * frame.spacing;
@@ -68,7 +71,7 @@ struct PowerBalance {
 
 /// Returns the balance of power of a frame. In contact the elastomer has the part of Frame::power
 /// that local friction does not take.
-PowerBalance powerOf(const Frame& frame) {
+PowerBalance powerBalance(const Frame& frame) {
   PowerBalance balance;
   const double speed = std::abs(frame.velocity);
   // Friction of the steady state belongs to the line as a whole; a motion's to its last steps.
@@ -146,7 +149,7 @@ DataTable contactsTable(const Frame& frame) {
                                "mean_line_load", "largest_line_load"}),
                   {}};
   for (const ContactInterval& contact : findIntervals(frame, false)) {
-    const SpotForces forces = forcesOf(frame, contact);
+    const SpotForces forces = spotForces(frame, contact);
     table.rows.push_back({contact.start, contact.length, forces.normal, forces.tangential,
                           forces.normal / contact.length, forces.largest});
   }
@@ -156,14 +159,14 @@ DataTable contactsTable(const Frame& frame) {
 DataTable gapsTable(const Frame& frame) {
   DataTable table{columnNames({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
   for (const ContactInterval& gap : findIntervals(frame, true)) {
-    const GapSize size = sizeOf(frame, gap);
+    const GapSize size = gapSize(frame, gap);
     table.rows.push_back({gap.start, gap.length, size.area / gap.length, size.largest, size.area});
   }
   return table;
 }
 
 DataTable powerTable(const Frame& frame) {
-  const PowerBalance balance = powerOf(frame);
+  const PowerBalance balance = powerBalance(frame);
   return {columnNames({"velocity", "power_in", "power_contact", "power_free", "power_interface",
                        "power_dissipated", "power_difference"}),
           {{frame.velocity, balance.in, balance.contact, balance.free, balance.interface,
@@ -196,7 +199,7 @@ std::optional<Message> coarsePointsNote(const Frame& frame) {
 std::optional<Message> coarsePowerNote(const Frame& frame) {
   constexpr double kMaxDeviation = 0.005;
   if (frame.transient || frame.isSettling) return std::nullopt;
-  const PowerBalance balance = powerOf(frame);
+  const PowerBalance balance = powerBalance(frame);
   if (!(std::abs(balance.in) > 0)) return std::nullopt;
   const double part = balance.dissipated() / balance.in;
   if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
@@ -216,12 +219,12 @@ Json derivedNumbers(const Frame& frame) {
   const std::vector<ContactInterval> gaps = findIntervals(frame, true);
   double largestLoad = 0, longest = 0, inContact = 0, largestGap = 0, area = 0;
   for (const ContactInterval& contact : contacts) {
-    largestLoad = std::max(largestLoad, forcesOf(frame, contact).largest);
+    largestLoad = std::max(largestLoad, spotForces(frame, contact).largest);
     longest = std::max(longest, contact.length);
     inContact += contact.length;
   }
   for (const ContactInterval& gap : gaps) {
-    const GapSize size = sizeOf(frame, gap);
+    const GapSize size = gapSize(frame, gap);
     largestGap = std::max(largestGap, size.largest);
     area += size.area;
   }
@@ -242,6 +245,116 @@ Json derivedNumbers(const Frame& frame) {
           {"largest_line_load", largestLoad},
           {"mean_gap", area / frame.length},
           {"largest_gap", largestGap}};
+}
+
+namespace {
+
+PrintedNumber coefficient(double mu) {
+  return printed(mu, 3, Zeros::Keep);
+}
+
+/// Returns the velocity at this moment, m/s; above 0 the line moves to the right.
+double presentVelocity(const Frame& frame) {
+  return frame.transient ? frame.velocity : frame.scene->sliding.velocity;
+}
+
+/// Returns how the rigid line moves.
+Message motionInWords(const Frame& frame) {
+  const double velocity = presentVelocity(frame);
+  const PrintedNumber speed = printed(std::abs(velocity), "m/s");
+  if (frame.transient) {
+    const PrintedNumber time = printed(frame.time, "s");
+    if (velocity == 0) return message("At {} of the motion the rigid line rests.", time);
+    return velocity > 0 ? message("At {} of the motion the rigid line slides to the right at {}.",
+                                  time, speed)
+                        : message("At {} of the motion the rigid line slides to the left at {}.",
+                                  time, speed);
+  }
+  if (velocity == 0) return message("The rigid line rests.");
+  return velocity > 0 ? message("The rigid line slides to the right at {}.", speed)
+                      : message("The rigid line slides to the left at {}.", speed);
+}
+
+/// Returns where the bodies touch. The contact spots are those of the picture.
+Message touchInWords(const Frame& frame, const ContactState& state) {
+  const std::vector<ContactInterval> contacts = findIntervals(frame, false);
+  if (contacts.empty()) return message("The bodies do not touch.");
+  if (state.contactFraction >= 1) return message("All of the surface is in contact.");
+  double longest = 0;
+  for (const ContactInterval& contact : contacts) longest = std::max(longest, contact.length);
+  const PrintedNumber part = printedPercent(state.contactFraction),
+                      period = printed(frame.length, "m"), length = printed(longest, "m");
+  // Between two nodes the picture may have a point more or fewer than the steady state.
+  if (contacts.size() == 1)
+    return message("They touch at one contact of {}, which is {} % of the period of {}.",
+                   printed(state.contactFraction * frame.length, "m"), part, period);
+  return message("They touch at {} contacts, {} % of the period of {}; the longest contact is {}.",
+                 contacts.size(), part, period, length);
+}
+
+/// Returns what friction is and where it comes from.
+Message frictionInWords(const Frame& frame, const ContactState& state) {
+  const bool isElastic = elementLaw(frame.scene->elastomer).kind() == ElementKind::Elastic;
+  if (!(state.normalForce > 0)) return message("Without a normal force there is no friction.");
+  if (presentVelocity(frame) == 0 && !frame.transient)
+    return message("At rest there is no friction here.");
+  if (!std::isfinite(state.mu))
+    return message("Friction cannot be read here: elements or time steps are too coarse for it.");
+  if (hasLocalFriction(*frame.scene)) {
+    if (isElastic)
+      return message("The coefficient of friction is {}, all of it from the interface.",
+                     coefficient(state.muInterface));
+    return message(
+        "The coefficient of friction is {}: {} from the deformation of the elastomer and {} from "
+        "the interface.",
+        coefficient(state.mu + state.muInterface), coefficient(state.mu),
+        coefficient(state.muInterface));
+  }
+  if (isElastic)
+    return message(
+        "There is no friction: an elastic body gives back all the work of its deformation.");
+  return message(
+      "The coefficient of friction is {}: a tangential force of {}, all of it from the deformation "
+      "of the elastomer.",
+      coefficient(state.mu), printed(std::abs(state.tangentialForce), "N"));
+}
+
+/// Returns the friction of other lines by the friction curve; empty where it is not known.
+Message curveInWords(const CurveAtVelocity& curve) {
+  Message mean, region;
+  // All lines agree where they are the same line, except for rounding.
+  constexpr double kRounding = 1e-5;
+  const double share = std::abs(curve.error / curve.mu);
+  if (curve.lines > 1 && std::isfinite(curve.mu) && share > kRounding)
+    mean = message("The mean of {} lines is {} ± {} %.", curve.lines, coefficient(curve.mu),
+                   printedPercent(share, 1));
+  if (!curve.region.empty())
+    region = message("This is region {} of the friction curve, {}.", curve.region,
+                     Message(regionWord(curve.region)));
+  return sentences({mean, region});
+}
+
+}  // namespace
+
+std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& curve) {
+  if (!frame.scene) return {};
+  const ContactState& state = frame.drawn();
+  std::vector<Message> text;
+  text.push_back(motionInWords(frame));
+  text.push_back(message("It presses with {}; its lowest point is {} below the undeformed surface.",
+                         printed(state.normalForce, "N"), printed(state.indentation, "m")));
+  text.push_back(touchInWords(frame, state));
+  text.push_back(frictionInWords(frame, state));
+  if (Message of = curveInWords(curve); !of.empty()) text.push_back(std::move(of));
+  if (frame.isSettling)
+    text.push_back(
+        std::isfinite(frame.state.mu)
+            ? message("The picture still moves to the steady state, whose coefficient is {}.",
+                      coefficient(frame.state.mu))
+            : message("The picture still moves to the steady state."));
+  for (const Note note : curve.notes.list())
+    text.push_back(message("Note: {}.", noteSentence(note)));
+  return text;
 }
 
 }  // namespace asperity

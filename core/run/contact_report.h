@@ -1,17 +1,21 @@
-// The contact at one moment as tables: its shape point by point, the contact spots and the
-// gaps between them, and the balance of power. Everything is read from one frame: each point stands
-// for one spacing of the line (midpoint rule), so that sums over the shape give the other tables
-// exactly, and lengths are whole spacings. Pure; any thread.
+// The contact at one moment as tables and in words: its shape point by point, the contact spots and
+// the gaps between them, the balance of power, and short sentences, for those who hear the window
+// or want to quote it. Everything is read from one frame: each point stands for one spacing of the
+// line (midpoint rule), so that sums over the shape give the other tables exactly, and lengths are
+// whole spacings. Pure; any thread.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/message.h"
 #include "core/run/frame.h"
 #include "core/scene/data_table.h"
+#include "core/scene/notes.h"
 
 namespace asperity {
 
@@ -64,5 +68,19 @@ std::optional<Message> coarsePowerNote(const Frame& frame);
 /// Numbers that follow from the frame and that a person reads off the picture: forces, contacts and
 /// gaps, loads, power, of the line, SI.
 nlohmann::ordered_json derivedNumbers(const Frame& frame);
+
+/// What the friction curve of the scene says about the velocity of a frame, as far as it is known.
+struct CurveAtVelocity {
+  double mu = kNotApplicable;     // mean over the lines
+  double error = kNotApplicable;  // standard error of mu
+  std::int64_t lines = 0;         // over which mu is a mean
+  std::string region{};           // "III"; empty: not known
+  NoteSet notes{};                // what limits these results
+};
+
+/// Returns the state as short sentences: how the line moves and presses, where the bodies touch,
+/// what friction is and where it comes from, what other lines have, and, one sentence each, how far
+/// this holds. Their numbers are those of the picture and of the status line.
+std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& curve = {});
 
 }  // namespace asperity
